@@ -1,0 +1,60 @@
+/// Copies one brick out of a volume, as texels of an atlas.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+namespace flatblock
+{
+/// The texel of a value, an unsigned integer or a float in [0, 1], so that
+/// value = offset + scale * texel, with integer texels counted as normalized.
+/// - integers of 8 and 16 bit: exact, offset = the type's lowest value
+/// - other types: float, error <= scale / 2^24; NaN becomes 0, infinities become 0 or 1
+template <typename T, typename Texel>
+struct TexelEncoder
+{
+  double Offset = 0.0;
+  double Scale = 1.0;
+
+  Texel operator()(T value) const
+  {
+    if constexpr (std::is_integral_v<Texel>)
+    {
+      static_assert(std::is_integral_v<T> && sizeof(T) == sizeof(Texel));
+      return static_cast<Texel>(static_cast<int>(value) - std::numeric_limits<T>::lowest());
+    }
+    else
+    {
+      const double texel = (static_cast<double>(value) - this->Offset) / this->Scale;
+      return texel > 0.0 ? static_cast<Texel>(std::min(texel, 1.0)) : Texel(0);
+    }
+  }
+};
+
+/// Writes side^3 texels, x fastest, of the samples from `first` on. Samples beyond the volume's far
+/// faces repeat the last one.
+///
+/// @param samples  dims[0] * dims[1] * dims[2] values, x fastest
+/// @param first    the brick's first sample, inside the volume
+template <typename T, typename Texel>
+void CopyBrick(const T* samples, const std::array<int, 3>& dims, const std::array<int, 3>& first,
+  int side, const TexelEncoder<T, Texel>& encode, Texel* brick)
+{
+  const int inside = std::min(side, dims[0] - first[0]);
+  for (int k = 0; k < side; ++k)
+  {
+    const int z = std::min(first[2] + k, dims[2] - 1);
+    for (int j = 0; j < side; ++j)
+    {
+      const int y = std::min(first[1] + j, dims[1] - 1);
+      const T* row =
+        samples + (static_cast<std::size_t>(z) * dims[1] + y) * dims[0] + first[0];
+      brick = std::transform(row, row + inside, brick, encode);
+      brick = std::fill_n(brick, side - inside, encode(row[inside - 1]));
+    }
+  }
+}
+} // namespace flatblock

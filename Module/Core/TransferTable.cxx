@@ -1,0 +1,48 @@
+#include "TransferTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace flatblock
+{
+TransferTable::TransferTable(double lowest, double highest, std::vector<Entry> entries)
+  : Lowest(lowest)
+  , Highest(highest)
+  , Entries(std::move(entries))
+  , OpaqueBefore(this->Entries.size() + 1, 0)
+{
+  for (std::size_t i = 0; i < this->Entries.size(); ++i)
+  {
+    this->OpaqueBefore[i + 1] = this->OpaqueBefore[i] + (this->Entries[i][3] > 0.0F ? 1 : 0);
+  }
+}
+
+double TransferTable::GetPosition(double value) const
+{
+  const double span = this->Highest - this->Lowest;
+  const double last = static_cast<double>(this->Entries.size() - 1);
+  return span > 0.0 ? std::clamp((value - this->Lowest) / span, 0.0, 1.0) * last : 0.0;
+}
+
+bool TransferTable::IsTransparent(double lowest, double highest) const
+{
+  // An entry of slack, since the shader reaches its position in single precision.
+  const double slack = 1e-5 * static_cast<double>(this->Entries.size());
+  const double first = std::floor(this->GetPosition(lowest) - slack);
+  const double last = std::ceil(this->GetPosition(highest) + slack);
+  const auto begin = static_cast<std::size_t>(std::max(first, 0.0));
+  const auto end =
+    std::min(static_cast<std::size_t>(std::max(last, 0.0)) + 1, this->Entries.size());
+  return this->OpaqueBefore[end] == this->OpaqueBefore[begin];
+}
+
+double CorrectOpacity(double opacity, double steps)
+{
+  if (opacity >= 1.0)
+  {
+    return steps > 0.0 ? 1.0 : 0.0;
+  }
+  return opacity > 0.0 ? -std::expm1(steps * std::log1p(-opacity)) : 0.0;
+}
+} // namespace flatblock

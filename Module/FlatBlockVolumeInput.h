@@ -1,0 +1,25 @@
+/// The volume that a mapper is to draw, checked.
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+class vtkAbstractVolumeMapper;
+class vtkDataArray;
+class vtkImageData;
+class vtkMatrix4x4;
+
+namespace flatblock
+{
+struct VolumeInput
+{
+  vtkImageData* Image = nullptr;
+  vtkDataArray* Scalars = nullptr;
+  vtkSmartPointer<vtkMatrix4x4> SampleToDataSet; ///< sample (0,0,0) is the extent's first
+  double SmallestSpacing = 0.0;
+  double Diagonal = 0.0; ///< of the box of samples, in the data set's unit of length
+};
+
+/// The mapper's image and the array that its scalar mode selects.
+/// @throws std::runtime_error with a message for the user where there is no such volume
+VolumeInput GetVolumeInput(vtkAbstractVolumeMapper& mapper);
+} // namespace flatblock

@@ -1,0 +1,132 @@
+#include "vtkFlatBlockBuilder.h"
+
+#include "BrickCopy.h"
+
+#include "vtkBitArray.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <type_traits>
+
+vtkStandardNewMacro(vtkFlatBlockBuilder);
+
+namespace
+{
+// What a sample becomes in the atlas: exact where the type fits a texture, float elsewhere.
+template <typename T>
+using TexelOf = std::conditional_t<!std::is_integral_v<T> || (sizeof(T) > 2), float,
+  std::conditional_t<sizeof(T) == 1, std::uint8_t, std::uint16_t>>;
+
+template <typename T>
+flatblock::TexelEncoding MakeEncoding(const flatblock::ValueRange& range)
+{
+  using Texel = TexelOf<T>;
+  if constexpr (std::is_same_v<Texel, float>)
+  {
+    const double span = range.Highest - range.Lowest;
+    return { flatblock::TexelFormat::Float32, range.Lowest, span > 0.0 ? span : 1.0 };
+  }
+  else
+  {
+    const auto format =
+      sizeof(T) == 1 ? flatblock::TexelFormat::Unsigned8 : flatblock::TexelFormat::Unsigned16;
+    return { format, static_cast<double>(std::numeric_limits<T>::lowest()),
+      static_cast<double>(std::numeric_limits<Texel>::max()) };
+  }
+}
+
+template <typename T>
+class ImageBrickSource : public flatblock::BrickSource
+{
+public:
+  ImageBrickSource(
+    const flatblock::BlockGrid& grid, const T* samples, const flatblock::TexelEncoding& encoding)
+    : Grid(grid)
+    , Samples(samples)
+    , Encoding(encoding)
+  {
+  }
+
+  const flatblock::BlockGrid& GetGrid() const override { return this->Grid; }
+  const flatblock::TexelEncoding& GetEncoding() const override { return this->Encoding; }
+
+  void ReadBrick(std::int64_t block, void* texels) const override
+  {
+    const flatblock::TexelEncoder<T, TexelOf<T>> encode{ this->Encoding.Offset,
+      this->Encoding.Scale };
+    flatblock::CopyBrick(this->Samples, this->Grid.GetSamples(), this->Grid.GetFirstSample(block),
+      this->Grid.GetSamplesPerBlock(), encode, static_cast<TexelOf<T>*>(texels));
+  }
+
+private:
+  flatblock::BlockGrid Grid;
+  const T* Samples;
+  flatblock::TexelEncoding Encoding;
+};
+
+// Bits are packed eight to a byte, which neither kernels nor textures can read.
+vtkSmartPointer<vtkDataArray> UnpackBits(vtkDataArray* scalars)
+{
+  if (!vtkBitArray::SafeDownCast(scalars))
+  {
+    return scalars;
+  }
+  auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  bytes->DeepCopy(scalars);
+  return bytes;
+}
+} // namespace
+
+bool vtkFlatBlockBuilder::Update(vtkImageData* image, vtkDataArray* scalars, int blockSize)
+{
+  if (this->Source && this->BuiltArray == scalars && this->BuiltImageTime == image->GetMTime() &&
+    this->BuiltBlockSize == blockSize)
+  {
+    return false;
+  }
+  flatblock::Index3 samples;
+  image->GetDimensions(samples.data());
+  const flatblock::BlockGrid grid(samples, blockSize);
+  this->Scalars = UnpackBits(scalars);
+  switch (this->Scalars->GetDataType())
+  {
+    vtkTemplateMacro(this->Build(grid, static_cast<VTK_TT*>(this->Scalars->GetVoidPointer(0))));
+  }
+  this->BuiltArray = scalars;
+  this->BuiltImageTime = image->GetMTime();
+  this->BuiltBlockSize = blockSize;
+  this->Modified();
+  return true;
+}
+
+template <typename T>
+void vtkFlatBlockBuilder::Build(const flatblock::BlockGrid& grid, const T* samples)
+{
+  this->BlockRanges.assign(static_cast<std::size_t>(grid.GetNumberOfBlocks()), {});
+  flatblock::ComputeBlockRanges(samples, grid.GetSamples(), grid.GetCellsPerBlock(),
+    grid.GetBlocks(), this->BlockRanges.data());
+  this->Range = {};
+  for (const flatblock::ValueRange& range : this->BlockRanges)
+  {
+    this->Range.Lowest = std::min(this->Range.Lowest, range.Lowest);
+    this->Range.Highest = std::max(this->Range.Highest, range.Highest);
+  }
+  if (this->Range.IsEmpty())
+  {
+    this->Range = { 0.0, 0.0 };
+  }
+  this->Source =
+    std::make_unique<ImageBrickSource<T>>(grid, samples, MakeEncoding<T>(this->Range));
+}
+
+void vtkFlatBlockBuilder::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "BlockSize: " << this->BuiltBlockSize << "\n";
+  os << indent << "NumberOfBlocks: " << this->BlockRanges.size() << "\n";
+  os << indent << "Range: " << this->Range.Lowest << " " << this->Range.Highest << "\n";
+}

@@ -1,0 +1,67 @@
+/**
+ * @class   vtkFlatBlockBuilder
+ * @brief   turns vtkImageData into blocks, their value ranges and a source of bricks
+ *
+ * Holds a reference to the samples, not a copy. Does nothing when its inputs have not changed.
+ */
+
+#ifndef vtkFlatBlockBuilder_h
+#define vtkFlatBlockBuilder_h
+
+#include "BlockRanges.h"
+#include "BrickSource.h"
+#include "vtkObject.h"
+#include "vtkSmartPointer.h"
+
+#include <memory>
+#include <vector>
+
+class vtkDataArray;
+class vtkImageData;
+
+class vtkFlatBlockBuilder : public vtkObject
+{
+public:
+  static vtkFlatBlockBuilder* New();
+  vtkTypeMacro(vtkFlatBlockBuilder, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Cuts the image's scalars, one component and one tuple a point, into blocks.
+   * @return whether anything was built anew
+   */
+  bool Update(vtkImageData* image, vtkDataArray* scalars, int blockSize);
+
+  /**
+   * Valid after Update(), until the image's samples change.
+   */
+  const flatblock::BrickSource& GetSource() const { return *this->Source; }
+  const std::vector<flatblock::ValueRange>& GetBlockRanges() const { return this->BlockRanges; }
+
+  /**
+   * Range of all finite samples; [0, 0] if there is none.
+   */
+  const flatblock::ValueRange& GetRange() const { return this->Range; }
+
+protected:
+  vtkFlatBlockBuilder() = default;
+  ~vtkFlatBlockBuilder() override = default;
+
+private:
+  vtkFlatBlockBuilder(const vtkFlatBlockBuilder&) = delete;
+  void operator=(const vtkFlatBlockBuilder&) = delete;
+
+  template <typename T>
+  void Build(const flatblock::BlockGrid& grid, const T* samples);
+
+  vtkSmartPointer<vtkDataArray> Scalars;
+  std::unique_ptr<flatblock::BrickSource> Source;
+  std::vector<flatblock::ValueRange> BlockRanges;
+  flatblock::ValueRange Range;
+
+  vtkDataArray* BuiltArray = nullptr; // only compared with
+  vtkMTimeType BuiltImageTime = 0;
+  int BuiltBlockSize = 0;
+};
+
+#endif

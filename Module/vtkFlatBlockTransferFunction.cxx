@@ -1,0 +1,107 @@
+#include "vtkFlatBlockTransferFunction.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkFlatBlockTransferFunction);
+
+namespace
+{
+constexpr int FewestEntries = 1024;
+constexpr int MostEntries = 8192; // the width that every driver with OpenGL 3.2 takes
+
+vtkMTimeType GetLastEdit(vtkVolumeProperty* property)
+{
+  const vtkMTimeType color = property->GetColorChannels() == 1
+    ? property->GetGrayTransferFunction()->GetMTime()
+    : property->GetRGBTransferFunction()->GetMTime();
+  return std::max(
+    { property->GetMTime(), color, property->GetScalarOpacity()->GetMTime() });
+}
+
+// Fine enough for the closest pair of nodes, with an entry at every integer where there is room.
+int CountEntries(vtkVolumeProperty* property, const flatblock::ValueRange& range)
+{
+  const double span = range.Highest - range.Lowest;
+  if (span <= 0.0)
+  {
+    return 1;
+  }
+  int wanted = property->GetScalarOpacity()->EstimateMinNumberOfSamples(
+    range.Lowest, range.Highest);
+  if (property->GetColorChannels() != 1)
+  {
+    wanted = std::max(wanted,
+      property->GetRGBTransferFunction()->EstimateMinNumberOfSamples(range.Lowest, range.Highest));
+  }
+  wanted = std::clamp(wanted, FewestEntries, MostEntries);
+  if (span == std::floor(span) && span < MostEntries)
+  {
+    const int steps = static_cast<int>(span);
+    const int repeats = std::max(1, std::min((wanted - 2) / steps + 1, (MostEntries - 1) / steps));
+    return steps * repeats + 1;
+  }
+  return wanted;
+}
+
+std::vector<float> SampleColors(
+  vtkVolumeProperty* property, const flatblock::ValueRange& range, int count)
+{
+  std::vector<float> colors(3 * static_cast<std::size_t>(count));
+  if (property->GetColorChannels() == 1)
+  {
+    property->GetGrayTransferFunction()->GetTable(
+      range.Lowest, range.Highest, count, colors.data(), 3);
+    for (std::size_t i = 0; i < colors.size(); i += 3)
+    {
+      colors[i + 1] = colors[i + 2] = colors[i];
+    }
+  }
+  else
+  {
+    property->GetRGBTransferFunction()->GetTable(
+      range.Lowest, range.Highest, count, colors.data());
+  }
+  return colors;
+}
+} // namespace
+
+bool vtkFlatBlockTransferFunction::Update(
+  vtkVolumeProperty* property, const flatblock::ValueRange& range, double step)
+{
+  const vtkMTimeType edited = GetLastEdit(property);
+  if (this->BuiltProperty == property && this->BuiltTime == edited && this->BuiltStep == step &&
+    this->Table.GetLowest() == range.Lowest && this->Table.GetHighest() == range.Highest)
+  {
+    return false;
+  }
+  const int count = CountEntries(property, range);
+  const std::vector<float> colors = SampleColors(property, range, count);
+  std::vector<double> opacities(count);
+  property->GetScalarOpacity()->GetTable(range.Lowest, range.Highest, count, opacities.data());
+
+  const double steps = step / property->GetScalarOpacityUnitDistance();
+  std::vector<flatblock::TransferTable::Entry> entries(count);
+  for (int i = 0; i < count; ++i)
+  {
+    entries[i] = { colors[3 * i], colors[3 * i + 1], colors[3 * i + 2],
+      static_cast<float>(flatblock::CorrectOpacity(opacities[i], steps)) };
+  }
+  this->Table = flatblock::TransferTable(range.Lowest, range.Highest, std::move(entries));
+  this->BuiltProperty = property;
+  this->BuiltTime = edited;
+  this->BuiltStep = step;
+  this->Modified();
+  return true;
+}
+
+void vtkFlatBlockTransferFunction::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfEntries: " << this->Table.GetEntries().size() << "\n";
+}

@@ -1,0 +1,270 @@
+#include "vtkFlatBlockVolumeMapper.h"
+
+#include "vtkFlatBlockBuilder.h"
+#include "vtkFlatBlockTransferFunction.h"
+#include "FlatBlockVolumeInput.h"
+#include "vtkOpenGLFlatBlockAtlas.h"
+#include "vtkOpenGLFlatBlockRayCaster.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCollection.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPlaneCollection.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+vtkStandardNewMacro(vtkFlatBlockVolumeMapper);
+
+// The stages, in the order in which data flows through them.
+struct vtkFlatBlockVolumeMapper::vtkInternals
+{
+  vtkNew<vtkFlatBlockBuilder> Builder;
+  vtkNew<vtkFlatBlockTransferFunction> TransferFunction;
+  std::vector<std::uint8_t> VisibleBlocks;
+  flatblock::Residency Residency;
+  vtkNew<vtkOpenGLFlatBlockAtlas> Atlas;
+  vtkNew<vtkOpenGLFlatBlockRayCaster> RayCaster;
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the textures
+  flatblock::VolumeInput Input;
+  vtkTimeStamp VisibleBlocksTime;
+  vtkTimeStamp TransferTextureTime;
+  vtkTypeInt64 UploadedBytes = 0;
+  std::string LastError;
+  std::string LastWarning;
+};
+
+vtkFlatBlockVolumeMapper::vtkFlatBlockVolumeMapper()
+  : Internals(std::make_unique<vtkInternals>())
+{
+}
+
+vtkFlatBlockVolumeMapper::~vtkFlatBlockVolumeMapper() = default;
+
+int vtkFlatBlockVolumeMapper::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+void vtkFlatBlockVolumeMapper::SetBlockSize(int samples)
+{
+  if (samples != 17 && samples != 33 && samples != 65)
+  {
+    vtkErrorMacro(<< "BlockSize must be 17, 33 or 65 samples, not " << samples << "; it stays "
+                  << this->BlockSize << ".");
+    return;
+  }
+  if (this->BlockSize != samples)
+  {
+    this->BlockSize = samples;
+    this->Modified();
+  }
+}
+
+void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkInternals& in = *this->Internals;
+  in.UploadedBytes = 0;
+  try
+  {
+    this->DrawFrame(renderer, volume);
+    in.LastError.clear();
+  }
+  catch (const std::exception& problem)
+  {
+    // Once, not once a frame.
+    if (in.LastError != problem.what())
+    {
+      in.LastError = problem.what();
+      vtkErrorMacro(<< in.LastError);
+    }
+  }
+}
+
+void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkInternals& in = *this->Internals;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    throw std::runtime_error("The render window does not use OpenGL.");
+  }
+  if (in.Window && in.Window != window)
+  {
+    this->ReleaseGraphicsResources(in.Window);
+  }
+  in.Window = window;
+  if (!volume || !volume->GetProperty())
+  {
+    throw std::runtime_error("The volume has no vtkVolumeProperty.");
+  }
+  if (this->BlendMode != COMPOSITE_BLEND)
+  {
+    throw std::runtime_error("Only composite blending is supported, not blend mode " +
+      std::to_string(this->BlendMode) + ".");
+  }
+  in.Input = flatblock::GetVolumeInput(*this);
+  this->WarnAboutIgnoredSettings(volume);
+  this->UpdateBlocks();
+  this->UpdateTransferTable(volume);
+  this->UpdateAtlas();
+
+  vtkOpenGLFlatBlockRayCaster::Scene scene;
+  scene.Source = &in.Builder->GetSource();
+  scene.Atlas = in.Atlas;
+  scene.SampleToDataSet = in.Input.SampleToDataSet;
+  scene.DataSetToWorld = volume->GetMatrix();
+  scene.Step = this->GetStep();
+  scene.LinearInterpolation =
+    volume->GetProperty()->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
+  if (!in.RayCaster->Draw(renderer, scene))
+  {
+    throw std::runtime_error("The ray caster's shader could not be built.");
+  }
+}
+
+void vtkFlatBlockVolumeMapper::UpdateBlocks()
+{
+  vtkInternals& in = *this->Internals;
+  if (in.Builder->Update(in.Input.Image, in.Input.Scalars, this->BlockSize))
+  {
+    in.Residency.Clear();
+  }
+}
+
+// The table in main memory, the blocks that it shows, and the table's texture.
+void vtkFlatBlockVolumeMapper::UpdateTransferTable(vtkVolume* volume)
+{
+  vtkInternals& in = *this->Internals;
+  in.TransferFunction->Update(volume->GetProperty(), in.Builder->GetRange(), this->GetStep());
+  const flatblock::TransferTable& table = in.TransferFunction->GetTable();
+  const vtkMTimeType tableTime = in.TransferFunction->GetMTime();
+  if (std::max(tableTime, in.Builder->GetMTime()) > in.VisibleBlocksTime)
+  {
+    const auto& ranges = in.Builder->GetBlockRanges();
+    in.VisibleBlocks.resize(ranges.size());
+    std::transform(ranges.begin(), ranges.end(), in.VisibleBlocks.begin(),
+      [&table](const flatblock::ValueRange& range) -> std::uint8_t
+      { return !range.IsEmpty() && !table.IsTransparent(range.Lowest, range.Highest); });
+    in.VisibleBlocksTime.Modified();
+  }
+  if (!in.RayCaster->HasTransferTable() || tableTime > in.TransferTextureTime)
+  {
+    in.RayCaster->SetTransferTable(in.Window, table);
+    in.TransferTextureTime.Modified();
+  }
+}
+
+void vtkFlatBlockVolumeMapper::UpdateAtlas()
+{
+  vtkInternals& in = *this->Internals;
+  if (!in.Atlas->IsAllocated())
+  {
+    in.Residency.Clear();
+  }
+  const int largest = vtkOpenGLFlatBlockAtlas::GetLargestTexture(in.Window);
+  const auto plan = in.Residency.Plan(in.VisibleBlocks, this->BlockSize, largest);
+  if (!plan)
+  {
+    throw std::runtime_error("The visible blocks, " +
+      std::to_string(this->GetNumberOfVisibleBlocks()) + " bricks of " +
+      std::to_string(this->BlockSize) + "^3 samples, don't fit the largest 3D texture of this " +
+      "OpenGL driver, " + std::to_string(largest) + " texels a side.");
+  }
+  if (!in.Atlas->Execute(in.Window, *plan, in.Residency, in.Builder->GetSource()))
+  {
+    const flatblock::Index3 size = in.Residency.GetAtlas().GetTextureSize();
+    in.Residency.Clear();
+    throw std::runtime_error("The graphics card has no memory for an atlas of " +
+      std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
+      std::to_string(size[2]) + " texels.");
+  }
+  in.UploadedBytes = in.Atlas->GetUploadedBytes();
+}
+
+// A float has 24 bits: with more samples a ray, neighbours could fall together.
+double vtkFlatBlockVolumeMapper::GetStep() const
+{
+  constexpr double MostSamples = 1 << 20;
+  const flatblock::VolumeInput& input = this->Internals->Input;
+  const double wanted =
+    this->SampleDistance > 0.0 ? this->SampleDistance : 0.5 * input.SmallestSpacing;
+  return std::max(wanted, input.Diagonal / MostSamples);
+}
+
+void vtkFlatBlockVolumeMapper::WarnAboutIgnoredSettings(vtkVolume* volume)
+{
+  std::string ignored;
+  const auto check = [&ignored](bool isSet, const char* name)
+  {
+    if (isSet)
+    {
+      ignored += (ignored.empty() ? "" : ", ") + std::string(name);
+    }
+  };
+  vtkVolumeProperty* property = volume->GetProperty();
+  check(property->GetShade() != 0, "shading");
+  check(property->HasGradientOpacity() && !property->GetDisableGradientOpacity(),
+    "gradient opacity");
+  check(this->Cropping != 0, "cropping");
+  check(this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0, "clipping planes");
+  check(this->GetStep() > this->SampleDistance && this->SampleDistance > 0.0,
+    "a sample distance below a millionth of the diagonal");
+  if (!ignored.empty() && ignored != this->Internals->LastWarning)
+  {
+    vtkWarningMacro(<< "Not supported and ignored: " << ignored << ".");
+  }
+  this->Internals->LastWarning = ignored;
+}
+
+void vtkFlatBlockVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internals->Atlas->ReleaseGraphicsResources(window);
+  this->Internals->RayCaster->ReleaseGraphicsResources(window);
+  this->Internals->Residency.Clear();
+}
+
+vtkTypeInt64 vtkFlatBlockVolumeMapper::GetNumberOfBlocks() const
+{
+  return static_cast<vtkTypeInt64>(this->Internals->Builder->GetBlockRanges().size());
+}
+
+vtkTypeInt64 vtkFlatBlockVolumeMapper::GetNumberOfVisibleBlocks() const
+{
+  const auto& visible = this->Internals->VisibleBlocks;
+  return std::count_if(visible.begin(), visible.end(), [](std::uint8_t v) { return v != 0; });
+}
+
+vtkTypeInt64 vtkFlatBlockVolumeMapper::GetAtlasBytes() const
+{
+  return this->Internals->Atlas->GetBytes();
+}
+
+vtkTypeInt64 vtkFlatBlockVolumeMapper::GetUploadedBytes() const
+{
+  return this->Internals->UploadedBytes;
+}
+
+void vtkFlatBlockVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "BlockSize: " << this->BlockSize << "\n";
+  os << indent << "SampleDistance: " << this->SampleDistance << "\n";
+  os << indent << "NumberOfBlocks: " << this->GetNumberOfBlocks() << "\n";
+  os << indent << "NumberOfVisibleBlocks: " << this->GetNumberOfVisibleBlocks() << "\n";
+  os << indent << "AtlasBytes: " << this->GetAtlasBytes() << "\n";
+  os << indent << "UploadedBytes: " << this->GetUploadedBytes() << "\n";
+}

@@ -1,0 +1,105 @@
+/**
+ * @class   vtkFlatBlockVolumeMapper
+ * @brief   draws a volume from flat blocks in one ray-casting pass
+ *
+ * The volume is cut into flat blocks: cubes of 2^n cells whose neighbours share their border
+ * samples. Blocks in which the transfer function is transparent are neither uploaded nor sampled;
+ * the bricks of all others lie packed in one 3D texture, the atlas. One box is drawn, and each ray
+ * walks from block to block.
+ *
+ * Input: vtkImageData, point data, one component, at least two samples along each axis. Integers of
+ * 8 and 16 bit are kept as they are. All other types become 32-bit floats over the data's own range:
+ * a value is off by at most 2^-24 of that range; NaN counts as the lowest value, and infinite
+ * values as the lowest or highest.
+ *
+ * From vtkVolumeProperty: colour, scalar opacity, ScalarOpacityUnitDistance, interpolation (linear
+ * or nearest) of the first component. Blending is composite. Shading, gradient opacity, cropping
+ * and clipping planes are not supported yet; a warning says so where they are set.
+ *
+ * What cannot be drawn gives one error, and nothing is drawn until it is set right.
+ *
+ * @sa vtkGPUVolumeRayCastMapper vtkVolumeProperty
+ */
+
+#ifndef vtkFlatBlockVolumeMapper_h
+#define vtkFlatBlockVolumeMapper_h
+
+#include "vtkFlatBlockVolumeRenderingModule.h" // for the export macro
+#include "vtkVolumeMapper.h"
+
+#include <memory> // for the internals
+
+class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockVolumeMapper : public vtkVolumeMapper
+{
+public:
+  static vtkFlatBlockVolumeMapper* New();
+  vtkTypeMacro(vtkFlatBlockVolumeMapper, vtkVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Samples along a block's side: 17, 33 (default) or 65. Anything else is refused with an error
+   * and changes nothing. Small blocks follow the visible structures closely, large ones spend less
+   * on shared borders.
+   */
+  void SetBlockSize(int samples);
+  vtkGetMacro(BlockSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance between two samples along a ray, in the data set's unit of length (as in
+   * vtkGPUVolumeRayCastMapper, a scale of the prop does not change it). 0 (default): half of the
+   * smallest spacing. At most 2^20 samples are taken across the volume's diagonal; a distance that
+   * asks for more is lengthened, with a warning.
+   */
+  vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SampleDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the last frame was made of: blocks of the volume; blocks that are not transparent; bytes
+   * of the atlas on the graphics card; bytes of bricks sent to it for that frame.
+   */
+  vtkTypeInt64 GetNumberOfBlocks() const;
+  vtkTypeInt64 GetNumberOfVisibleBlocks() const;
+  vtkTypeInt64 GetAtlasBytes() const;
+  vtkTypeInt64 GetUploadedBytes() const;
+  ///@}
+
+  /**
+   * Draws the volume. Called by vtkVolume.
+   */
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
+  /**
+   * Gives back everything on the graphics card. The next render starts anew, in any window.
+   */
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkFlatBlockVolumeMapper();
+  ~vtkFlatBlockVolumeMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+private:
+  vtkFlatBlockVolumeMapper(const vtkFlatBlockVolumeMapper&) = delete;
+  void operator=(const vtkFlatBlockVolumeMapper&) = delete;
+
+  void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);
+  void UpdateBlocks();
+  void UpdateTransferTable(vtkVolume* volume);
+  void UpdateAtlas();
+  double GetStep() const;
+  void WarnAboutIgnoredSettings(vtkVolume* volume);
+
+  int BlockSize = 33;
+  double SampleDistance = 0.0;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

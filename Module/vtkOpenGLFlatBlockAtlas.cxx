@@ -1,0 +1,183 @@
+#include "vtk_glew.h"
+
+#include "vtkOpenGLFlatBlockAtlas.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cstdint>
+
+vtkStandardNewMacro(vtkOpenGLFlatBlockAtlas);
+
+namespace
+{
+constexpr std::size_t StagingBytes = std::size_t(16) << 20;
+constexpr int IndexWidth = 4096;
+
+struct GLFormat
+{
+  int VtkType;
+  unsigned int Internal;
+  unsigned int Type;
+};
+
+GLFormat GetGLFormat(flatblock::TexelFormat format)
+{
+  switch (format)
+  {
+    case flatblock::TexelFormat::Unsigned8:
+      return { VTK_UNSIGNED_CHAR, GL_R8, GL_UNSIGNED_BYTE };
+    case flatblock::TexelFormat::Unsigned16:
+      return { VTK_UNSIGNED_SHORT, GL_R16, GL_UNSIGNED_SHORT };
+    default:
+      return { VTK_FLOAT, GL_R32F, GL_FLOAT };
+  }
+}
+
+void ClearGLErrors()
+{
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+}
+} // namespace
+
+vtkOpenGLFlatBlockAtlas::vtkOpenGLFlatBlockAtlas() = default;
+vtkOpenGLFlatBlockAtlas::~vtkOpenGLFlatBlockAtlas() = default;
+
+int vtkOpenGLFlatBlockAtlas::GetLargestTexture(vtkOpenGLRenderWindow* window)
+{
+  int largest = 0;
+  window->GetState()->vtkglGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
+  return largest;
+}
+
+bool vtkOpenGLFlatBlockAtlas::Execute(vtkOpenGLRenderWindow* window,
+  const flatblock::FramePlan& plan, const flatblock::Residency& residency,
+  const flatblock::BrickSource& source)
+{
+  this->UploadedBytes = 0;
+  const flatblock::AtlasAllocator& places = residency.GetAtlas();
+  if ((plan.NewAtlas &&
+        !this->Allocate(window, places.GetTextureSize(), source.GetEncoding().Format)) ||
+    (plan.NewPlaces && !this->WriteIndex(window, residency)))
+  {
+    this->ReleaseGraphicsResources(window);
+    return false;
+  }
+  this->Upload(plan.Uploads, places, source);
+  return true;
+}
+
+bool vtkOpenGLFlatBlockAtlas::Allocate(
+  vtkOpenGLRenderWindow* window, const flatblock::Index3& size, flatblock::TexelFormat format)
+{
+  this->ReleaseGraphicsResources(window);
+  const GLFormat gl = GetGLFormat(format);
+  this->Bricks->SetContext(window);
+  this->Bricks->SetInternalFormat(gl.Internal);
+  this->Bricks->SetFormat(GL_RED);
+  this->Bricks->SetDataType(gl.Type);
+  this->Bricks->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->Bricks->SetWrapT(vtkTextureObject::ClampToEdge);
+  this->Bricks->SetWrapR(vtkTextureObject::ClampToEdge);
+  ClearGLErrors();
+  if (!this->Bricks->Allocate3D(size[0], size[1], size[2], 1, gl.VtkType) ||
+    glGetError() != GL_NO_ERROR)
+  {
+    ClearGLErrors();
+    return false;
+  }
+  this->Bytes = static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(format)) * size[0] * size[1] *
+    size[2];
+  return true;
+}
+
+bool vtkOpenGLFlatBlockAtlas::WriteIndex(
+  vtkOpenGLRenderWindow* window, const flatblock::Residency& residency)
+{
+  const std::vector<int>& places = residency.GetPlaces();
+  const int width = static_cast<int>(std::min<std::size_t>(places.size(), IndexWidth));
+  const int height = static_cast<int>((places.size() - 1) / width + 1);
+  std::vector<std::uint16_t> texels(std::size_t(4) * width * height, 0);
+  for (std::size_t block = 0; block < places.size(); ++block)
+  {
+    std::uint16_t* texel = &texels[4 * block];
+    texel[3] = places[block] == flatblock::Residency::NotResident ? 1 : 0;
+    if (texel[3] == 0)
+    {
+      const flatblock::Index3 origin = residency.GetAtlas().GetOrigin(places[block]);
+      std::copy(origin.begin(), origin.end(), texel);
+    }
+  }
+  this->BlockIndex->SetContext(window);
+  this->BlockIndex->SetInternalFormat(GL_RGBA16UI);
+  this->BlockIndex->SetFormat(GL_RGBA_INTEGER);
+  this->BlockIndex->SetDataType(GL_UNSIGNED_SHORT);
+  ClearGLErrors();
+  const bool created =
+    this->BlockIndex->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_SHORT, texels.data());
+  const bool failed = glGetError() != GL_NO_ERROR;
+  ClearGLErrors();
+  return created && !failed;
+}
+
+void vtkOpenGLFlatBlockAtlas::Upload(const std::vector<flatblock::BrickUpload>& uploads,
+  const flatblock::AtlasAllocator& places, const flatblock::BrickSource& source)
+{
+  if (uploads.empty())
+  {
+    return;
+  }
+  const flatblock::TexelFormat format = source.GetEncoding().Format;
+  const int side = source.GetGrid().GetSamplesPerBlock();
+  const std::size_t brickBytes = flatblock::BytesPerTexel(format) * side * side * side;
+  const auto batch = static_cast<std::int64_t>(std::max<std::size_t>(StagingBytes / brickBytes, 1));
+  const auto count = static_cast<std::int64_t>(uploads.size());
+  std::vector<std::uint8_t> staging(brickBytes * std::min(batch, count));
+
+  this->Bricks->Activate();
+  vtkOpenGLState* state = this->Bricks->GetContext()->GetState();
+  state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (std::int64_t first = 0; first < count; first += batch)
+  {
+    const std::int64_t last = std::min(first + batch, count);
+#pragma omp parallel for schedule(dynamic)
+    for (std::int64_t i = first; i < last; ++i)
+    {
+      source.ReadBrick(uploads[i].Block, &staging[(i - first) * brickBytes]);
+    }
+    for (std::int64_t i = first; i < last; ++i)
+    {
+      const flatblock::Index3 origin = places.GetOrigin(uploads[i].Place);
+      glTexSubImage3D(GL_TEXTURE_3D, 0, origin[0], origin[1], origin[2], side, side, side, GL_RED,
+        GetGLFormat(format).Type, &staging[(i - first) * brickBytes]);
+    }
+  }
+  state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  this->Bricks->Deactivate();
+  this->UploadedBytes = static_cast<vtkTypeInt64>(brickBytes) * count;
+}
+
+bool vtkOpenGLFlatBlockAtlas::IsAllocated() const
+{
+  return this->Bricks->GetHandle() != 0 && this->BlockIndex->GetHandle() != 0;
+}
+
+void vtkOpenGLFlatBlockAtlas::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Bricks->ReleaseGraphicsResources(window);
+  this->BlockIndex->ReleaseGraphicsResources(window);
+  this->Bytes = 0;
+  this->UploadedBytes = 0;
+}
+
+void vtkOpenGLFlatBlockAtlas::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Bytes: " << this->Bytes << "\n";
+  os << indent << "UploadedBytes: " << this->UploadedBytes << "\n";
+}

@@ -1,0 +1,76 @@
+/**
+ * @class   vtkOpenGLFlatBlockAtlas
+ * @brief   the 3D texture that holds the bricks, and the index texture that says where
+ *
+ * The index texture has one RGBA16UI texel a block, folded into rows: xyz the brick's first texel, w
+ * 0 where the brick is resident and 1 where the block is transparent.
+ */
+
+#ifndef vtkOpenGLFlatBlockAtlas_h
+#define vtkOpenGLFlatBlockAtlas_h
+
+#include "BrickSource.h"
+#include "FramePlan.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkOpenGLFlatBlockAtlas : public vtkObject
+{
+public:
+  static vtkOpenGLFlatBlockAtlas* New();
+  vtkTypeMacro(vtkOpenGLFlatBlockAtlas, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Texels a side of the largest 3D texture of the window's driver.
+   */
+  static int GetLargestTexture(vtkOpenGLRenderWindow* window);
+
+  /**
+   * Carries out a plan. Where the driver has no memory left nothing remains allocated.
+   * @return whether it could
+   */
+  bool Execute(vtkOpenGLRenderWindow* window, const flatblock::FramePlan& plan,
+    const flatblock::Residency& residency, const flatblock::BrickSource& source);
+
+  /**
+   * Whether the textures are still there; a window that went away took them along.
+   */
+  bool IsAllocated() const;
+
+  vtkTextureObject* GetBricks() const { return this->Bricks; }
+  vtkTextureObject* GetBlockIndex() const { return this->BlockIndex; }
+
+  /**
+   * Bytes of the 3D texture, and bytes of bricks that the last Execute() uploaded.
+   */
+  vtkGetMacro(Bytes, vtkTypeInt64);
+  vtkGetMacro(UploadedBytes, vtkTypeInt64);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+protected:
+  vtkOpenGLFlatBlockAtlas();
+  ~vtkOpenGLFlatBlockAtlas() override;
+
+private:
+  vtkOpenGLFlatBlockAtlas(const vtkOpenGLFlatBlockAtlas&) = delete;
+  void operator=(const vtkOpenGLFlatBlockAtlas&) = delete;
+
+  bool Allocate(vtkOpenGLRenderWindow* window, const flatblock::Index3& size,
+    flatblock::TexelFormat format);
+  bool WriteIndex(vtkOpenGLRenderWindow* window, const flatblock::Residency& residency);
+  void Upload(const std::vector<flatblock::BrickUpload>& uploads,
+    const flatblock::AtlasAllocator& places, const flatblock::BrickSource& source);
+
+  vtkNew<vtkTextureObject> Bricks;
+  vtkNew<vtkTextureObject> BlockIndex;
+  vtkTypeInt64 Bytes = 0;
+  vtkTypeInt64 UploadedBytes = 0;
+};
+
+#endif

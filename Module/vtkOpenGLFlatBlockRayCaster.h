@@ -1,0 +1,80 @@
+/**
+ * @class   vtkOpenGLFlatBlockRayCaster
+ * @brief   draws the bricks of an atlas: one box, one pass
+ */
+
+#ifndef vtkOpenGLFlatBlockRayCaster_h
+#define vtkOpenGLFlatBlockRayCaster_h
+
+#include "BrickSource.h"
+#include "TransferTable.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+#include "vtkOpenGLHelper.h"
+
+class vtkMatrix4x4;
+class vtkOpenGLFlatBlockAtlas;
+class vtkOpenGLFlatBlockSceneDepth;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkOpenGLFlatBlockRayCaster : public vtkObject
+{
+public:
+  static vtkOpenGLFlatBlockRayCaster* New();
+  vtkTypeMacro(vtkOpenGLFlatBlockRayCaster, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * What a frame shows.
+   */
+  struct Scene
+  {
+    const flatblock::BrickSource* Source;
+    vtkOpenGLFlatBlockAtlas* Atlas;
+    vtkMatrix4x4* SampleToDataSet; ///< spacing, origin and direction
+    vtkMatrix4x4* DataSetToWorld;  ///< the prop's matrix
+    double Step;                   ///< between samples, in the data set's unit of length
+    bool LinearInterpolation;      ///< nearest sample otherwise
+  };
+
+  /**
+   * Sends a transfer function to the graphics card, where Draw() finds it.
+   */
+  void SetTransferTable(vtkOpenGLRenderWindow* window, const flatblock::TransferTable& table);
+  bool HasTransferTable() const;
+
+  /**
+   * Blends the volume over what the renderer's window shows already. Leaves the OpenGL state as it
+   * found it.
+   * @return whether the shader could be built; VTK has said why not
+   */
+  bool Draw(vtkRenderer* renderer, const Scene& scene);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+protected:
+  vtkOpenGLFlatBlockRayCaster();
+  ~vtkOpenGLFlatBlockRayCaster() override;
+
+private:
+  vtkOpenGLFlatBlockRayCaster(const vtkOpenGLFlatBlockRayCaster&) = delete;
+  void operator=(const vtkOpenGLFlatBlockRayCaster&) = delete;
+
+  bool ReadyProgram(vtkOpenGLRenderWindow* window);
+  void SetGeometry(vtkRenderer* renderer, const Scene& scene);
+  void SetBlocks(const Scene& scene);
+  void SetClassification(const Scene& scene);
+  void DrawBox(vtkOpenGLRenderWindow* window, bool mirrored);
+
+  vtkOpenGLHelper Box; // program and vertex array
+  vtkNew<vtkTextureObject> TransferTexture;
+  vtkNew<vtkOpenGLFlatBlockSceneDepth> SceneDepth;
+  double TableLowest = 0.0;
+  double TableHighest = 0.0;
+};
+
+#endif

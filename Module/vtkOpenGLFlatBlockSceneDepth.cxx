@@ -1,0 +1,117 @@
+#include "vtk_glew.h"
+
+#include "vtkOpenGLFlatBlockSceneDepth.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkTextureObject.h"
+
+vtkStandardNewMacro(vtkOpenGLFlatBlockSceneDepth);
+
+namespace
+{
+int GetDepthAttachment(unsigned int parameter)
+{
+  int framebuffer = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+  int value = 0;
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, framebuffer == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT, parameter, &value);
+  return value;
+}
+
+bool HasStencil()
+{
+  int bits = 0;
+  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
+    GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE, &bits);
+  return bits > 0;
+}
+
+bool IsMultisampled()
+{
+  int samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  return samples > 0;
+}
+} // namespace
+
+vtkOpenGLFlatBlockSceneDepth::vtkOpenGLFlatBlockSceneDepth() = default;
+vtkOpenGLFlatBlockSceneDepth::~vtkOpenGLFlatBlockSceneDepth() = default;
+
+void vtkOpenGLFlatBlockSceneDepth::Capture(vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  int width = 0;
+  int height = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &this->Origin[0], &this->Origin[1]);
+  this->Allocate(window, width, height);
+  if (IsMultisampled())
+  {
+    this->Resolve(window, width, height);
+  }
+  else
+  {
+    this->Depth->CopyFromFrameBuffer(this->Origin[0], this->Origin[1], 0, 0, width, height);
+  }
+}
+
+// A multisampled framebuffer can only be blitted to one of the same depth format.
+void vtkOpenGLFlatBlockSceneDepth::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  if (this->Depth->GetHandle() != 0 && this->Depth->GetContext() == window &&
+    static_cast<int>(this->Depth->GetWidth()) == width &&
+    static_cast<int>(this->Depth->GetHeight()) == height)
+  {
+    return;
+  }
+  this->ReleaseGraphicsResources(window);
+  this->Depth->SetContext(window);
+  const int bits = GetDepthAttachment(GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+  const bool isFloat =
+    GetDepthAttachment(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+  if (HasStencil())
+  {
+    this->Depth->AllocateDepthStencil(width, height);
+  }
+  else
+  {
+    this->Depth->AllocateDepth(width, height,
+      isFloat         ? vtkTextureObject::Float32
+        : bits == 16 ? vtkTextureObject::Fixed16
+        : bits == 32 ? vtkTextureObject::Fixed32
+                     : vtkTextureObject::Fixed24);
+  }
+}
+
+void vtkOpenGLFlatBlockSceneDepth::Resolve(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  vtkOpenGLState* state = window->GetState();
+  int source = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
+  state->PushFramebufferBindings();
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  this->Framebuffer->AddDepthAttachment(this->Depth);
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, source);
+  vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglBlitFramebuffer(this->Origin[0], this->Origin[1], this->Origin[0] + width,
+    this->Origin[1] + height, 0, 0, width, height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  state->PopFramebufferBindings();
+}
+
+void vtkOpenGLFlatBlockSceneDepth::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Depth->ReleaseGraphicsResources(window);
+  this->Framebuffer->ReleaseGraphicsResources(window);
+}
+
+void vtkOpenGLFlatBlockSceneDepth::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << "\n";
+}

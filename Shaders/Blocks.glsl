@@ -1,0 +1,72 @@
+// The walk from block to block, and where a block's brick lies in the atlas.
+
+uniform sampler3D in_Atlas;
+uniform usampler2D in_BlockIndex; // xyz: first texel of the brick, w: 0 if the brick is resident
+uniform int in_Blocks[3];         // blocks an axis
+uniform int in_CellsPerBlock;
+uniform vec3 in_AtlasTexel;       // 1 / texels an axis
+
+struct BlockWalk
+{
+  ivec3 block;
+  ivec3 stride;    // -1 or 1
+  vec3 borders;    // distance along the ray to the next border of each axis
+  vec3 blockWidth; // distance along the ray between two borders of each axis
+};
+
+struct Brick
+{
+  bool resident;
+  vec3 origin; // first texel
+  vec3 first;  // first sample
+};
+
+ivec3 blocksAnAxis()
+{
+  return ivec3(in_Blocks[0], in_Blocks[1], in_Blocks[2]);
+}
+
+BlockWalk enterBlocks(Ray ray)
+{
+  float cells = float(in_CellsPerBlock);
+  vec3 entry = ray.origin + ray.begin * ray.direction;
+  BlockWalk walk;
+  walk.block = clamp(ivec3(floor(entry / cells)), ivec3(0), blocksAnAxis() - 1);
+  walk.stride = ivec3(sign(ray.direction));
+  walk.blockWidth = cells / abs(ray.direction);
+  vec3 next = vec3(walk.block + max(walk.stride, 0)) * cells;
+  walk.borders = (next - ray.origin) / ray.direction;
+  return walk;
+}
+
+float distanceToBorder(BlockWalk walk)
+{
+  return min(walk.borders.x, min(walk.borders.y, walk.borders.z));
+}
+
+// Steps into the next block; false where the grid ends.
+bool crossBorder(inout BlockWalk walk)
+{
+  vec3 b = walk.borders;
+  int axis = b.x <= b.y && b.x <= b.z ? 0 : (b.y <= b.z ? 1 : 2);
+  walk.block[axis] += walk.stride[axis];
+  walk.borders[axis] += walk.blockWidth[axis];
+  return walk.block[axis] >= 0 && walk.block[axis] < in_Blocks[axis];
+}
+
+Brick fetchBrick(ivec3 block)
+{
+  int number = block.x + in_Blocks[0] * (block.y + in_Blocks[1] * block.z);
+  int width = textureSize(in_BlockIndex, 0).x;
+  uvec4 entry = texelFetch(in_BlockIndex, ivec2(number % width, number / width), 0);
+  Brick brick;
+  brick.resident = entry.w == 0u;
+  brick.origin = vec3(entry.xyz);
+  brick.first = vec3(block * in_CellsPerBlock);
+  return brick;
+}
+
+vec3 toAtlas(Brick brick, vec3 position)
+{
+  return (brick.origin + (position - brick.first) + 0.5) * in_AtlasTexel;
+}
