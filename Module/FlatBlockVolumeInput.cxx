@@ -80,16 +80,16 @@ vtkDataArray* GetScalars(vtkAbstractVolumeMapper& mapper, vtkImageData* image)
   int isCellData = 0;
   vtkDataArray* scalars = vtkAbstractMapper::GetScalars(image, mapper.GetScalarMode(),
     mapper.GetArrayAccessMode(), mapper.GetArrayId(), mapper.GetArrayName(), isCellData);
-  if (isCellData != 0)
-  {
-    Refuse("Cell data is selected, but point data is needed. vtkCellDataToPointData makes it.");
-  }
   if (!scalars)
   {
     const char* name = mapper.GetArrayName();
     Refuse("The input's point data has no ",
-      name && *name ? "array named '" + std::string(name) + "'" : std::string("such scalars"),
+      name && *name ? "array named '" + std::string(name) + "'" : std::string("scalars"),
       "; its arrays: ", ListArrays(image), ".");
+  }
+  if (isCellData != 0)
+  {
+    Refuse("Cell data is selected, but point data is needed. vtkCellDataToPointData makes it.");
   }
   const char* name = scalars->GetName() ? scalars->GetName() : "";
   if (scalars->GetNumberOfComponents() != 1)

@@ -13,6 +13,7 @@ vtkStandardNewMacro(vtkFlatBlockTransferFunction);
 namespace
 {
 constexpr int FewestEntries = 1024;
+constexpr int EntriesPerEstimate = 4; // VTK's estimate has one entry between the closest nodes
 constexpr int MostEntries = 8192; // the width that every driver with OpenGL 3.2 takes
 
 vtkMTimeType GetLastEdit(vtkVolumeProperty* property)
@@ -32,14 +33,15 @@ int CountEntries(vtkVolumeProperty* property, const flatblock::ValueRange& range
   {
     return 1;
   }
-  int wanted = property->GetScalarOpacity()->EstimateMinNumberOfSamples(
-    range.Lowest, range.Highest);
+  int estimate =
+    property->GetScalarOpacity()->EstimateMinNumberOfSamples(range.Lowest, range.Highest);
   if (property->GetColorChannels() != 1)
   {
-    wanted = std::max(wanted,
+    estimate = std::max(estimate,
       property->GetRGBTransferFunction()->EstimateMinNumberOfSamples(range.Lowest, range.Highest));
   }
-  wanted = std::clamp(wanted, FewestEntries, MostEntries);
+  const int wanted = std::clamp(
+    std::min(estimate, MostEntries) * EntriesPerEstimate, FewestEntries, MostEntries);
   if (span == std::floor(span) && span < MostEntries)
   {
     const int steps = static_cast<int>(span);

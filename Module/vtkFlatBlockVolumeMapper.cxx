@@ -7,9 +7,9 @@
 #include "vtkOpenGLFlatBlockRayCaster.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkCollection.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -55,7 +55,8 @@ vtkFlatBlockVolumeMapper::~vtkFlatBlockVolumeMapper() = default;
 
 int vtkFlatBlockVolumeMapper::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  // Anything: the pipeline would repeat its error about a wrong type twice a frame.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 
@@ -85,13 +86,30 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   catch (const std::exception& problem)
   {
-    // Once, not once a frame.
-    if (in.LastError != problem.what())
-    {
-      in.LastError = problem.what();
-      vtkErrorMacro(<< in.LastError);
-    }
+    this->ReportOnce(problem.what());
   }
+}
+
+// Once, not once a frame.
+void vtkFlatBlockVolumeMapper::ReportOnce(const char* error)
+{
+  std::string& last = this->Internals->LastError;
+  if (last != error)
+  {
+    last = error;
+    vtkErrorMacro(<< error);
+  }
+}
+
+// A renderer leaves out volumes whose bounds are not finite, and Render() could not say why.
+double* vtkFlatBlockVolumeMapper::GetBounds()
+{
+  double* bounds = this->Superclass::GetBounds();
+  if (bounds && !std::all_of(bounds, bounds + 6, [](double b) { return std::isfinite(b); }))
+  {
+    vtkMath::UninitializeBounds(this->Bounds);
+  }
+  return bounds;
 }
 
 void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)

@@ -68,6 +68,14 @@ public:
   vtkTypeInt64 GetUploadedBytes() const;
   ///@}
 
+  ///@{
+  /**
+   * Bounds of the input in data set coordinates; uninitialized where they are not finite.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  ///@}
+
   /**
    * Draws the volume. Called by vtkVolume.
    */
@@ -88,6 +96,7 @@ private:
   vtkFlatBlockVolumeMapper(const vtkFlatBlockVolumeMapper&) = delete;
   void operator=(const vtkFlatBlockVolumeMapper&) = delete;
 
+  void ReportOnce(const char* error);
   void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);
   void UpdateBlocks();
   void UpdateTransferTable(vtkVolume* volume);

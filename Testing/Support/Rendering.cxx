@@ -1,0 +1,217 @@
+#include "Rendering.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkImageDifference.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkRegressionTestImage.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flatblock::testing
+{
+namespace
+{
+class MessageCollector : public vtkOutputWindow
+{
+public:
+  static MessageCollector* New();
+  vtkTypeMacro(MessageCollector, vtkOutputWindow);
+
+  void DisplayErrorText(const char* text) override { this->Collected.Errors.emplace_back(text); }
+  void DisplayGenericWarningText(const char* text) override
+  {
+    this->Collected.Warnings.emplace_back(text);
+  }
+  void DisplayWarningText(const char* text) override
+  {
+    this->Collected.Warnings.emplace_back(text);
+  }
+
+  Messages Collected;
+};
+vtkStandardNewMacro(MessageCollector);
+
+struct Bytes
+{
+  explicit Bytes(vtkImageData* picture)
+    : Array(vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars()))
+    , Begin(this->Array->GetPointer(0))
+    , Count(this->Array->GetNumberOfValues())
+  {
+  }
+  vtkUnsignedCharArray* Array;
+  const unsigned char* Begin;
+  vtkIdType Count;
+};
+} // namespace
+
+Scene::Scene()
+{
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(256, 256);
+  this->Window->AddRenderer(this->Renderer);
+  this->Renderer->SetBackground(0.2, 0.3, 0.4);
+  this->Renderer->AddVolume(this->Volume);
+  this->Volume->SetMapper(this->Mapper);
+  this->Volume->SetProperty(this->Property);
+  this->Property->SetInterpolationTypeToLinear();
+  auto peer = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
+  peer->SetAutoAdjustSampleDistances(0);
+  this->Peer = peer;
+}
+
+void Scene::SetVolume(vtkImageData* image, double sampleDistance)
+{
+  this->Mapper->SetInputData(image);
+  this->Mapper->SetSampleDistance(sampleDistance);
+  this->Peer->SetInputData(image);
+  vtkGPUVolumeRayCastMapper::SafeDownCast(this->Peer)->SetSampleDistance(
+    static_cast<float>(sampleDistance));
+}
+
+void Scene::SetOpacity(const std::vector<std::pair<double, double>>& points)
+{
+  vtkNew<vtkPiecewiseFunction> opacity;
+  for (const auto& [value, alpha] : points)
+  {
+    opacity->AddPoint(value, alpha);
+  }
+  this->Property->SetScalarOpacity(opacity);
+}
+
+void Scene::SetColor(const std::vector<std::array<double, 4>>& points)
+{
+  vtkNew<vtkColorTransferFunction> color;
+  for (const auto& [value, r, g, b] : points)
+  {
+    color->AddRGBPoint(value, r, g, b);
+  }
+  this->Property->SetColor(color);
+}
+
+void Scene::SetRamp(double lowest, double highest, double opacity)
+{
+  const double middle = 0.5 * (lowest + highest);
+  this->SetOpacity({ { lowest, 0.0 }, { highest, opacity } });
+  this->SetColor(
+    { { lowest, 0.1, 0.2, 0.8 }, { middle, 0.9, 0.8, 0.3 }, { highest, 1.0, 0.2, 0.1 } });
+}
+
+void Scene::LookFrom(double azimuth, double elevation, double zoom)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetPosition(0.0, 0.0, 1.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->Azimuth(azimuth);
+  camera->Elevation(elevation);
+  camera->OrthogonalizeViewUp();
+  this->Renderer->ResetCamera();
+  camera->Zoom(zoom);
+  this->Renderer->ResetCameraClippingRange();
+}
+
+vtkSmartPointer<vtkImageData> Scene::Draw()
+{
+  this->Volume->SetMapper(this->Mapper);
+  this->Window->Render();
+  return Grab(this->Window);
+}
+
+vtkSmartPointer<vtkImageData> Scene::DrawWithPeer()
+{
+  this->Volume->SetMapper(this->Peer);
+  this->Window->Render();
+  auto picture = Grab(this->Window);
+  this->Volume->SetMapper(this->Mapper);
+  return picture;
+}
+
+vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window)
+{
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  grab->Update();
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->DeepCopy(grab->GetOutput());
+  return picture;
+}
+
+double PSNR(vtkImageData* a, vtkImageData* b)
+{
+  const Bytes left(a);
+  const Bytes right(b);
+  if (left.Count != right.Count)
+  {
+    return 0.0;
+  }
+  double squares = 0.0;
+  for (vtkIdType i = 0; i < left.Count; ++i)
+  {
+    const double difference = double(left.Begin[i]) - double(right.Begin[i]);
+    squares += difference * difference;
+  }
+  const double mean = squares / static_cast<double>(left.Count);
+  return mean > 0.0 ? std::min(200.0, 10.0 * std::log10(255.0 * 255.0 / mean)) : 200.0;
+}
+
+double LargestDifference(vtkImageData* a, vtkImageData* b)
+{
+  const Bytes left(a);
+  const Bytes right(b);
+  if (left.Count != right.Count)
+  {
+    return 255.0;
+  }
+  int largest = 0;
+  for (vtkIdType i = 0; i < left.Count; ++i)
+  {
+    largest = std::max(largest, std::abs(int(left.Begin[i]) - int(right.Begin[i])));
+  }
+  return largest;
+}
+
+bool ShowsSomething(vtkImageData* picture)
+{
+  const Bytes bytes(picture);
+  vtkIdType different = 0;
+  for (vtkIdType i = 3; i < bytes.Count; ++i)
+  {
+    different += std::abs(int(bytes.Begin[i]) - int(bytes.Begin[i % 3])) > 8 ? 1 : 0;
+  }
+  return different > bytes.Count / 50;
+}
+
+bool MatchesBaseline(vtkRenderWindow* window, const std::string& name)
+{
+  std::vector<std::string> arguments = { name, "-V",
+    std::string(FLATBLOCK_BASELINES) + "/" + name + ".png", "-T", FLATBLOCK_TEMPORARY };
+  std::vector<char*> argv;
+  for (std::string& argument : arguments)
+  {
+    argv.push_back(argument.data());
+  }
+  const auto argc = static_cast<int>(argv.size());
+  return vtkTesting::Test(argc, argv.data(), window, 0.15) == vtkTesting::PASSED;
+}
+
+Messages Listen(const std::function<void()>& action)
+{
+  vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
+  vtkNew<MessageCollector> collector;
+  vtkOutputWindow::SetInstance(collector);
+  action();
+  vtkOutputWindow::SetInstance(before);
+  return collector->Collected;
+}
+} // namespace flatblock::testing

@@ -1,0 +1,73 @@
+#include "BrickCopy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+using flatblock::CopyBrick;
+using flatblock::TexelEncoder;
+
+TEST(BrickCopy, RepeatsTheLastSampleBeyondTheFarFaces)
+{
+  const std::array<int, 3> dims = { 4, 3, 2 };
+  std::vector<std::uint8_t> samples;
+  for (int i = 0; i < 4 * 3 * 2; ++i)
+  {
+    samples.push_back(static_cast<std::uint8_t>(10 + i));
+  }
+  const int side = 3;
+  std::vector<std::uint8_t> brick(side * side * side, 0);
+  CopyBrick(samples.data(), dims, { 2, 1, 0 }, side, TexelEncoder<std::uint8_t, std::uint8_t>(),
+    brick.data());
+  for (int k = 0; k < side; ++k)
+  {
+    for (int j = 0; j < side; ++j)
+    {
+      for (int i = 0; i < side; ++i)
+      {
+        const int x = std::min(2 + i, 3);
+        const int y = std::min(1 + j, 2);
+        const int z = std::min(k, 1);
+        EXPECT_EQ(brick[(k * side + j) * side + i], samples[(z * 3 + y) * 4 + x]);
+      }
+    }
+  }
+}
+
+TEST(BrickCopy, KeepsIntegersOf8And16BitExact)
+{
+  const TexelEncoder<signed char, std::uint8_t> bytes;
+  for (int v = -128; v <= 127; ++v)
+  {
+    EXPECT_EQ(bytes(static_cast<signed char>(v)), v + 128);
+  }
+  const TexelEncoder<short, std::uint16_t> shorts;
+  for (int v = -32768; v <= 32767; ++v)
+  {
+    ASSERT_EQ(shorts(static_cast<short>(v)), v + 32768);
+  }
+  EXPECT_EQ((TexelEncoder<unsigned short, std::uint16_t>()(65535)), 65535);
+}
+
+TEST(BrickCopy, PutsOtherTypesOnFloatsOverTheRange)
+{
+  const double lowest = 1e9;
+  const double span = 3e9;
+  const TexelEncoder<long long, float> encode{ lowest, span };
+  for (long long v = 1'000'000'000; v <= 4'000'000'000; v += 123'456'789)
+  {
+    const double back = lowest + span * static_cast<double>(encode(v));
+    EXPECT_NEAR(back, static_cast<double>(v), span / (1 << 24));
+  }
+}
+
+TEST(BrickCopy, KeepsTexelsFiniteAndWithinOne)
+{
+  const TexelEncoder<double, float> encode{ -1.0, 2.0 };
+  EXPECT_EQ(encode(std::nan("")), 0.0F);
+  EXPECT_EQ(encode(-INFINITY), 0.0F);
+  EXPECT_EQ(encode(INFINITY), 1.0F);
+  EXPECT_EQ(encode(0.0), 0.5F);
+}
