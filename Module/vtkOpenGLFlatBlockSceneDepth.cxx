@@ -30,13 +30,6 @@ bool HasStencil()
     GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE, &bits);
   return bits > 0;
 }
-
-bool IsMultisampled()
-{
-  int samples = 0;
-  glGetIntegerv(GL_SAMPLES, &samples);
-  return samples > 0;
-}
 } // namespace
 
 vtkOpenGLFlatBlockSceneDepth::vtkOpenGLFlatBlockSceneDepth() = default;
@@ -49,17 +42,10 @@ void vtkOpenGLFlatBlockSceneDepth::Capture(vtkRenderer* renderer)
   int height = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &this->Origin[0], &this->Origin[1]);
   this->Allocate(window, width, height);
-  if (IsMultisampled())
-  {
-    this->Resolve(window, width, height);
-  }
-  else
-  {
-    this->Depth->CopyFromFrameBuffer(this->Origin[0], this->Origin[1], 0, 0, width, height);
-  }
+  this->Blit(window, width, height);
 }
 
-// A multisampled framebuffer can only be blitted to one of the same depth format.
+// Depth can only be blitted to a framebuffer of the same depth format.
 void vtkOpenGLFlatBlockSceneDepth::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 {
   if (this->Depth->GetHandle() != 0 && this->Depth->GetContext() == window &&
@@ -87,7 +73,7 @@ void vtkOpenGLFlatBlockSceneDepth::Allocate(vtkOpenGLRenderWindow* window, int w
   }
 }
 
-void vtkOpenGLFlatBlockSceneDepth::Resolve(vtkOpenGLRenderWindow* window, int width, int height)
+void vtkOpenGLFlatBlockSceneDepth::Blit(vtkOpenGLRenderWindow* window, int width, int height)
 {
   vtkOpenGLState* state = window->GetState();
   int source = 0;
@@ -96,6 +82,7 @@ void vtkOpenGLFlatBlockSceneDepth::Resolve(vtkOpenGLRenderWindow* window, int wi
   this->Framebuffer->SetContext(window);
   this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
   this->Framebuffer->AddDepthAttachment(this->Depth);
+  this->Framebuffer->DeactivateDrawBuffers();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, source);
   vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
   state->vtkglDisable(GL_SCISSOR_TEST);

@@ -50,7 +50,7 @@ private:
   void operator=(const vtkOpenGLFlatBlockSceneDepth&) = delete;
 
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
-  void Resolve(vtkOpenGLRenderWindow* window, int width, int height);
+  void Blit(vtkOpenGLRenderWindow* window, int width, int height);
 
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;

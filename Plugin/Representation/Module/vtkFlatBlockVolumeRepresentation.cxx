@@ -1,13 +1,16 @@
 #include "vtkFlatBlockVolumeRepresentation.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkFlatBlockVolumeMapper.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkVolumeProperty.h"
 
 vtkStandardNewMacro(vtkFlatBlockVolumeRepresentation);
 
@@ -18,7 +21,7 @@ vtkFlatBlockVolumeMapper* AsFlatBlockMapper(vtkVolumeMapper* mapper)
   return static_cast<vtkFlatBlockVolumeMapper*>(mapper);
 }
 
-const char* FindArray(vtkDataObject* data)
+vtkDataArray* FindArray(vtkDataObject* data)
 {
   auto* image = vtkImageData::SafeDownCast(data);
   if (!image)
@@ -26,8 +29,22 @@ const char* FindArray(vtkDataObject* data)
     return nullptr;
   }
   vtkPointData* arrays = image->GetPointData();
-  vtkDataArray* array = arrays->GetScalars() ? arrays->GetScalars() : arrays->GetArray(0);
-  return array ? array->GetName() : nullptr;
+  return arrays->GetScalars() ? arrays->GetScalars() : arrays->GetArray(0);
+}
+
+// From transparent black to opaque white over the array's range.
+void ShowInGray(vtkDataArray* array, vtkVolumeProperty* property)
+{
+  double range[2];
+  array->GetFiniteRange(range);
+  vtkNew<vtkColorTransferFunction> color;
+  color->AddRGBPoint(range[0], 0.0, 0.0, 0.0);
+  color->AddRGBPoint(range[1], 1.0, 1.0, 1.0);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(range[0], 0.0);
+  opacity->AddPoint(range[1], 1.0);
+  property->SetColor(color);
+  property->SetScalarOpacity(opacity);
 }
 } // namespace
 
@@ -62,16 +79,24 @@ void vtkFlatBlockVolumeRepresentation::UpdateMapperParameters()
   const char* name = chosen->Has(vtkDataObject::FIELD_NAME())
     ? chosen->Get(vtkDataObject::FIELD_NAME())
     : nullptr;
-  if (name && *name)
+  vtkDataArray* found = name && *name ? nullptr : FindArray(this->Cache);
+  if (!found)
   {
+    this->Actor->SetProperty(this->Property);
     return;
   }
-  if (const char* found = FindArray(this->Cache))
+  if (found != this->ShownInGray || found->GetMTime() > this->GrayProperty->GetMTime())
   {
-    this->VolumeMapper->SelectScalarArray(found);
-    this->VolumeMapper->SetScalarMode(VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
-    this->Actor->SetVisibility(true);
+    ShowInGray(found, this->GrayProperty);
+    this->ShownInGray = found;
   }
+  this->GrayProperty->SetScalarOpacityUnitDistance(
+    this->Property->GetScalarOpacityUnitDistance());
+  this->GrayProperty->SetInterpolationType(this->Property->GetInterpolationType());
+  this->Actor->SetProperty(this->GrayProperty);
+  this->VolumeMapper->SelectScalarArray(found->GetName());
+  this->VolumeMapper->SetScalarMode(VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  this->Actor->SetVisibility(true);
 }
 
 void vtkFlatBlockVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)

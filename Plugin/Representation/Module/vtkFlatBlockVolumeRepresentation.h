@@ -12,6 +12,8 @@
 #include "vtkFlatBlockVolumeRepresentationModule.h" // for the export macro
 #include "vtkImageVolumeRepresentation.h"
 
+class vtkDataArray;
+
 class VTKFLATBLOCKVOLUMEREPRESENTATION_EXPORT vtkFlatBlockVolumeRepresentation
   : public vtkImageVolumeRepresentation
 {
@@ -35,13 +37,16 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
   /**
-   * Draws the point scalars, or the first point array, where no array is chosen.
+   * Draws the point scalars, or the first point array, in gray where no array is chosen.
    */
   void UpdateMapperParameters() override;
 
 private:
   vtkFlatBlockVolumeRepresentation(const vtkFlatBlockVolumeRepresentation&) = delete;
   void operator=(const vtkFlatBlockVolumeRepresentation&) = delete;
+
+  vtkNew<vtkVolumeProperty> GrayProperty;
+  vtkDataArray* ShownInGray = nullptr; // only compared with
 };
 
 #endif
