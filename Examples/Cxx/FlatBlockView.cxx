@@ -1,0 +1,219 @@
+// Draws a volume file with vtkFlatBlockVolumeMapper, to a picture or in a window.
+#include "Options.h"
+#include "Presets.h"
+#include "ReadVolume.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkFlatBlockVolumeMapper.h"
+#include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+constexpr double MiB = 1024.0 * 1024.0;
+
+struct Viewer
+{
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkVolume> Volume;
+  vtkNew<vtkVolumeProperty> Property;
+  vtkNew<vtkFlatBlockVolumeMapper> Mapper;
+};
+
+void SetUp(Viewer& viewer, const Options& options)
+{
+  viewer.Window->SetSize(options.Size[0], options.Size[1]);
+  viewer.Window->SetWindowName("FlatBlockView");
+  viewer.Window->SetOffScreenRendering(options.Interactive ? 0 : 1);
+  viewer.Window->AddRenderer(viewer.Renderer);
+  viewer.Renderer->SetBackground(0.05, 0.06, 0.08);
+  viewer.Renderer->SetBackground2(0.25, 0.28, 0.32);
+  viewer.Renderer->GradientBackgroundOn();
+  viewer.Mapper->SetBlockSize(options.BlockSize);
+  viewer.Mapper->SetSampleDistance(options.SampleDistance);
+  viewer.Volume->SetMapper(viewer.Mapper);
+  viewer.Volume->SetProperty(viewer.Property);
+  viewer.Window->Render(); // the window's own start is not the mapper's time
+}
+
+// From the front and a little to the side and above, head up.
+void LookAtVolume(Viewer& viewer, bool isAnatomical)
+{
+  vtkCamera* camera = viewer.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(0.0, isAnatomical ? 1.0 : -1.0, 0.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->Azimuth(35.0);
+  camera->Elevation(20.0);
+  viewer.Renderer->ResetCamera();
+  camera->Zoom(1.3);
+  viewer.Renderer->ResetCameraClippingRange();
+}
+
+double SecondsToDraw(Viewer& viewer)
+{
+  const auto start = std::chrono::steady_clock::now();
+  viewer.Window->Render();
+  viewer.Window->WaitForCompletion();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double MedianSecondsToDraw(Viewer& viewer)
+{
+  std::vector<double> seconds(5);
+  std::generate(seconds.begin(), seconds.end(), [&viewer] { return SecondsToDraw(viewer); });
+  std::nth_element(seconds.begin(), seconds.begin() + 2, seconds.end());
+  return seconds[2];
+}
+
+std::string WritePicture(vtkRenderWindow* window, const std::string& file)
+{
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetFileName(file.c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != 0)
+  {
+    throw std::runtime_error("'" + file + "' could not be written.");
+  }
+  return std::filesystem::absolute(file).string();
+}
+
+void PrintRow(const char* name, const std::string& value)
+{
+  std::cout << std::left << std::setw(24) << name << value << "\n";
+}
+
+std::string Format(double number, int digits, const char* unit)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << number << unit;
+  return text.str();
+}
+
+void PrintVolume(vtkImageData* image)
+{
+  int n[3];
+  image->GetDimensions(n);
+  const double bytes = static_cast<double>(image->GetNumberOfPoints()) * image->GetScalarSize();
+  PrintRow("dimensions",
+    std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " + std::to_string(n[2]));
+  PrintRow("scalar type", image->GetScalarTypeAsString());
+  PrintRow("volume", Format(bytes / MiB, 1, " MiB"));
+}
+
+void PrintMapper(const Viewer& viewer)
+{
+  PrintRow("blocks",
+    std::to_string(viewer.Mapper->GetNumberOfBlocks()) + ", visible " +
+      std::to_string(viewer.Mapper->GetNumberOfVisibleBlocks()));
+  PrintRow("atlas", Format(viewer.Mapper->GetAtlasBytes() / MiB, 1, " MiB"));
+}
+
+void ShowMemoryInTitle(vtkObject*, unsigned long, void* data, void*)
+{
+  auto* viewer = static_cast<Viewer*>(data);
+  const std::string title =
+    "FlatBlockView - atlas " + Format(viewer->Mapper->GetAtlasBytes() / MiB, 1, " MiB");
+  if (title != viewer->Window->GetWindowName())
+  {
+    viewer->Window->SetWindowName(title.c_str());
+  }
+}
+
+void Interact(Viewer& viewer)
+{
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  interactor->SetRenderWindow(viewer.Window);
+  interactor->SetInteractorStyle(style);
+  vtkNew<vtkCallbackCommand> title;
+  title->SetCallback(ShowMemoryInTitle);
+  title->SetClientData(&viewer);
+  viewer.Window->AddObserver(vtkCommand::EndEvent, title);
+  interactor->Initialize();
+  viewer.Window->Render();
+  interactor->Start();
+}
+
+void Run(const Options& options)
+{
+  const LoadedVolume loaded = ReadVolume(options);
+  PrintVolume(loaded.Image);
+  Viewer viewer;
+  SetUp(viewer, options);
+
+  bool failed = false;
+  vtkNew<vtkCallbackCommand> onError;
+  onError->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void* text)
+    {
+      *static_cast<bool*>(data) = true;
+      std::cerr << "FlatBlockView: " << static_cast<const char*>(text);
+    });
+  onError->SetClientData(&failed);
+  viewer.Mapper->AddObserver(vtkCommand::ErrorEvent, onError);
+
+  viewer.Mapper->SetInputData(loaded.Image);
+  viewer.Volume->SetUserMatrix(loaded.Anatomy);
+  ApplyPreset(options.Preset, loaded.Image, viewer.Property);
+  viewer.Renderer->AddVolume(viewer.Volume);
+  LookAtVolume(viewer, loaded.Anatomy != nullptr);
+  const double first = SecondsToDraw(viewer);
+  if (failed)
+  {
+    throw std::runtime_error("'" + options.File + "' could not be drawn.");
+  }
+  PrintMapper(viewer);
+  PrintRow("seconds to first frame", Format(first, 3, ""));
+  PrintRow("seconds a frame", Format(MedianSecondsToDraw(viewer), 3, ""));
+  PrintRow("picture", WritePicture(viewer.Window, options.Output));
+  std::cout << std::flush;
+  if (options.Interactive)
+  {
+    Interact(viewer);
+  }
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    const Options options = ParseOptions(argc, argv);
+    if (options.Help)
+    {
+      std::cout << Usage;
+      return 0;
+    }
+    Run(options);
+  }
+  catch (const std::exception& problem)
+  {
+    std::cerr << "FlatBlockView: " << problem.what() << "\n";
+    return 1;
+  }
+  return 0;
+}
