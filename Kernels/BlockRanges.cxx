@@ -79,8 +79,7 @@ void ComputeBlockRanges(const T* samples, const std::array<int, 3>& dims, int ce
   {
     const int blockY = static_cast<int>(row % blocks[1]);
     const int blockZ = static_cast<int>(row / blocks[1]);
-    ComputeRowOfBlocks(
-      samples, dims, cells, blocks[0], blockY, blockZ, ranges + row * blocks[0]);
+    ComputeRowOfBlocks(samples, dims, cells, blocks[0], blockY, blockZ, ranges + row * blocks[0]);
   }
 }
 

@@ -50,8 +50,7 @@ void CopyBrick(const T* samples, const std::array<int, 3>& dims, const std::arra
     for (int j = 0; j < side; ++j)
     {
       const int y = std::min(first[1] + j, dims[1] - 1);
-      const T* row =
-        samples + (static_cast<std::size_t>(z) * dims[1] + y) * dims[0] + first[0];
+      const T* row = samples + (static_cast<std::size_t>(z) * dims[1] + y) * dims[0] + first[0];
       brick = std::transform(row, row + inside, brick, encode);
       brick = std::fill_n(brick, side - inside, encode(row[inside - 1]));
     }

@@ -99,8 +99,8 @@ vtkDataArray* GetScalars(vtkAbstractVolumeMapper& mapper, vtkImageData* image)
   }
   if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
-    Refuse("The array '", name, "' has ", scalars->GetNumberOfTuples(), " values, but the input has ",
-      image->GetNumberOfPoints(), " points.");
+    Refuse("The array '", name, "' has ", scalars->GetNumberOfTuples(),
+      " values, but the input has ", image->GetNumberOfPoints(), " points.");
   }
   return scalars;
 }

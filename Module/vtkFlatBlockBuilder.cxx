@@ -45,9 +45,7 @@ class ImageBrickSource : public flatblock::BrickSource
 public:
   ImageBrickSource(
     const flatblock::BlockGrid& grid, const T* samples, const flatblock::TexelEncoding& encoding)
-    : Grid(grid)
-    , Samples(samples)
-    , Encoding(encoding)
+    : Grid(grid), Samples(samples), Encoding(encoding)
   {
   }
 
@@ -84,7 +82,7 @@ vtkSmartPointer<vtkDataArray> UnpackBits(vtkDataArray* scalars)
 bool vtkFlatBlockBuilder::Update(vtkImageData* image, vtkDataArray* scalars, int blockSize)
 {
   if (this->Source && this->BuiltArray == scalars && this->BuiltImageTime == image->GetMTime() &&
-    this->BuiltBlockSize == blockSize)
+      this->BuiltBlockSize == blockSize)
   {
     return false;
   }
@@ -119,8 +117,7 @@ void vtkFlatBlockBuilder::Build(const flatblock::BlockGrid& grid, const T* sampl
   {
     this->Range = { 0.0, 0.0 };
   }
-  this->Source =
-    std::make_unique<ImageBrickSource<T>>(grid, samples, MakeEncoding<T>(this->Range));
+  this->Source = std::make_unique<ImageBrickSource<T>>(grid, samples, MakeEncoding<T>(this->Range));
 }
 
 void vtkFlatBlockBuilder::PrintSelf(ostream& os, vtkIndent indent)

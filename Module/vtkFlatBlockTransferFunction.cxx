@@ -14,15 +14,14 @@ namespace
 {
 constexpr int FewestEntries = 1024;
 constexpr int EntriesPerEstimate = 4; // VTK's estimate has one entry between the closest nodes
-constexpr int MostEntries = 8192; // the width that every driver with OpenGL 3.2 takes
+constexpr int MostEntries = 8192;     // the width that every driver with OpenGL 3.2 takes
 
 vtkMTimeType GetLastEdit(vtkVolumeProperty* property)
 {
   const vtkMTimeType color = property->GetColorChannels() == 1
-    ? property->GetGrayTransferFunction()->GetMTime()
-    : property->GetRGBTransferFunction()->GetMTime();
-  return std::max(
-    { property->GetMTime(), color, property->GetScalarOpacity()->GetMTime() });
+                               ? property->GetGrayTransferFunction()->GetMTime()
+                               : property->GetRGBTransferFunction()->GetMTime();
+  return std::max({ property->GetMTime(), color, property->GetScalarOpacity()->GetMTime() });
 }
 
 // Fine enough for the closest pair of nodes, with an entry at every integer where there is room.
@@ -40,8 +39,8 @@ int CountEntries(vtkVolumeProperty* property, const flatblock::ValueRange& range
     estimate = std::max(estimate,
       property->GetRGBTransferFunction()->EstimateMinNumberOfSamples(range.Lowest, range.Highest));
   }
-  const int wanted = std::clamp(
-    std::min(estimate, MostEntries) * EntriesPerEstimate, FewestEntries, MostEntries);
+  const int wanted =
+    std::clamp(std::min(estimate, MostEntries) * EntriesPerEstimate, FewestEntries, MostEntries);
   if (span == std::floor(span) && span < MostEntries)
   {
     const int steps = static_cast<int>(span);
@@ -66,8 +65,7 @@ std::vector<float> SampleColors(
   }
   else
   {
-    property->GetRGBTransferFunction()->GetTable(
-      range.Lowest, range.Highest, count, colors.data());
+    property->GetRGBTransferFunction()->GetTable(range.Lowest, range.Highest, count, colors.data());
   }
   return colors;
 }
@@ -78,7 +76,7 @@ bool vtkFlatBlockTransferFunction::Update(
 {
   const vtkMTimeType edited = GetLastEdit(property);
   if (this->BuiltProperty == property && this->BuiltTime == edited && this->BuiltStep == step &&
-    this->Table.GetLowest() == range.Lowest && this->Table.GetHighest() == range.Highest)
+      this->Table.GetLowest() == range.Lowest && this->Table.GetHighest() == range.Highest)
   {
     return false;
   }

@@ -1,8 +1,8 @@
 #include "vtkFlatBlockVolumeMapper.h"
 
+#include "FlatBlockVolumeInput.h"
 #include "vtkFlatBlockBuilder.h"
 #include "vtkFlatBlockTransferFunction.h"
-#include "FlatBlockVolumeInput.h"
 #include "vtkOpenGLFlatBlockAtlas.h"
 #include "vtkOpenGLFlatBlockRayCaster.h"
 
@@ -46,8 +46,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   std::string LastWarning;
 };
 
-vtkFlatBlockVolumeMapper::vtkFlatBlockVolumeMapper()
-  : Internals(std::make_unique<vtkInternals>())
+vtkFlatBlockVolumeMapper::vtkFlatBlockVolumeMapper() : Internals(std::make_unique<vtkInternals>())
 {
 }
 
@@ -132,7 +131,7 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   if (this->BlendMode != COMPOSITE_BLEND)
   {
     throw std::runtime_error("Only composite blending is supported, not blend mode " +
-      std::to_string(this->BlendMode) + ".");
+                             std::to_string(this->BlendMode) + ".");
   }
   in.Input = flatblock::GetVolumeInput(*this);
   this->WarnAboutIgnoredSettings(volume);
@@ -197,8 +196,8 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas()
   const auto plan = in.Residency.Plan(in.VisibleBlocks, this->BlockSize, largest);
   if (!plan)
   {
-    throw std::runtime_error("The visible blocks, " +
-      std::to_string(this->GetNumberOfVisibleBlocks()) + " bricks of " +
+    throw std::runtime_error(
+      "The visible blocks, " + std::to_string(this->GetNumberOfVisibleBlocks()) + " bricks of " +
       std::to_string(this->BlockSize) + "^3 samples, don't fit the largest 3D texture of this " +
       "OpenGL driver, " + std::to_string(largest) + " texels a side.");
   }
@@ -207,8 +206,8 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas()
     const flatblock::Index3 size = in.Residency.GetAtlas().GetTextureSize();
     in.Residency.Clear();
     throw std::runtime_error("The graphics card has no memory for an atlas of " +
-      std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
-      std::to_string(size[2]) + " texels.");
+                             std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
+                             std::to_string(size[2]) + " texels.");
   }
   in.UploadedBytes = in.Atlas->GetUploadedBytes();
 }
@@ -235,8 +234,8 @@ void vtkFlatBlockVolumeMapper::WarnAboutIgnoredSettings(vtkVolume* volume)
   };
   vtkVolumeProperty* property = volume->GetProperty();
   check(property->GetShade() != 0, "shading");
-  check(property->HasGradientOpacity() && !property->GetDisableGradientOpacity(),
-    "gradient opacity");
+  check(
+    property->HasGradientOpacity() && !property->GetDisableGradientOpacity(), "gradient opacity");
   check(this->Cropping != 0, "cropping");
   check(this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0, "clipping planes");
   check(this->GetStep() > this->SampleDistance && this->SampleDistance > 0.0,

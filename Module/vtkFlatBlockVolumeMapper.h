@@ -8,9 +8,9 @@
  * walks from block to block.
  *
  * Input: vtkImageData, point data, one component, at least two samples along each axis. Integers of
- * 8 and 16 bit are kept as they are. All other types become 32-bit floats over the data's own range:
- * a value is off by at most 2^-24 of that range; NaN counts as the lowest value, and infinite
- * values as the lowest or highest.
+ * 8 and 16 bit are kept as they are. All other types become 32-bit floats over the data's own
+ * range: a value is off by at most 2^-24 of that range; NaN counts as the lowest value, and
+ * infinite values as the lowest or highest.
  *
  * From vtkVolumeProperty: colour, scalar opacity, ScalarOpacityUnitDistance, interpolation (linear
  * or nearest) of the first component. Blending is composite. Shading, gradient opacity, cropping

@@ -28,12 +28,12 @@ GLFormat GetGLFormat(flatblock::TexelFormat format)
 {
   switch (format)
   {
-    case flatblock::TexelFormat::Unsigned8:
-      return { VTK_UNSIGNED_CHAR, GL_R8, GL_UNSIGNED_BYTE };
-    case flatblock::TexelFormat::Unsigned16:
-      return { VTK_UNSIGNED_SHORT, GL_R16, GL_UNSIGNED_SHORT };
-    default:
-      return { VTK_FLOAT, GL_R32F, GL_FLOAT };
+  case flatblock::TexelFormat::Unsigned8:
+    return { VTK_UNSIGNED_CHAR, GL_R8, GL_UNSIGNED_BYTE };
+  case flatblock::TexelFormat::Unsigned16:
+    return { VTK_UNSIGNED_SHORT, GL_R16, GL_UNSIGNED_SHORT };
+  default:
+    return { VTK_FLOAT, GL_R32F, GL_FLOAT };
   }
 }
 
@@ -63,7 +63,7 @@ bool vtkOpenGLFlatBlockAtlas::Execute(vtkOpenGLRenderWindow* window,
   const flatblock::AtlasAllocator& places = residency.GetAtlas();
   if ((plan.NewAtlas &&
         !this->Allocate(window, places.GetTextureSize(), source.GetEncoding().Format)) ||
-    (plan.NewPlaces && !this->WriteIndex(window, residency)))
+      (plan.NewPlaces && !this->WriteIndex(window, residency)))
   {
     this->ReleaseGraphicsResources(window);
     return false;
@@ -86,13 +86,13 @@ bool vtkOpenGLFlatBlockAtlas::Allocate(
   this->Bricks->SetWrapR(vtkTextureObject::ClampToEdge);
   ClearGLErrors();
   if (!this->Bricks->Allocate3D(size[0], size[1], size[2], 1, gl.VtkType) ||
-    glGetError() != GL_NO_ERROR)
+      glGetError() != GL_NO_ERROR)
   {
     ClearGLErrors();
     return false;
   }
-  this->Bytes = static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(format)) * size[0] * size[1] *
-    size[2];
+  this->Bytes =
+    static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(format)) * size[0] * size[1] * size[2];
   return true;
 }
 

@@ -2,8 +2,8 @@
  * @class   vtkOpenGLFlatBlockAtlas
  * @brief   the 3D texture that holds the bricks, and the index texture that says where
  *
- * The index texture has one RGBA16UI texel a block, folded into rows: xyz the brick's first texel, w
- * 0 where the brick is resident and 1 where the block is transparent.
+ * The index texture has one RGBA16UI texel a block, folded into rows: xyz the brick's first texel,
+ * w 0 where the brick is resident and 1 where the block is transparent.
  */
 
 #ifndef vtkOpenGLFlatBlockAtlas_h
@@ -61,8 +61,8 @@ private:
   vtkOpenGLFlatBlockAtlas(const vtkOpenGLFlatBlockAtlas&) = delete;
   void operator=(const vtkOpenGLFlatBlockAtlas&) = delete;
 
-  bool Allocate(vtkOpenGLRenderWindow* window, const flatblock::Index3& size,
-    flatblock::TexelFormat format);
+  bool Allocate(
+    vtkOpenGLRenderWindow* window, const flatblock::Index3& size, flatblock::TexelFormat format);
   bool WriteIndex(vtkOpenGLRenderWindow* window, const flatblock::Residency& residency);
   void Upload(const std::vector<flatblock::BrickUpload>& uploads,
     const flatblock::AtlasAllocator& places, const flatblock::BrickSource& source);

@@ -97,8 +97,8 @@ void vtkOpenGLFlatBlockRayCaster::SetTransferTable(
   this->TransferTexture->SetWrapT(vtkTextureObject::ClampToEdge);
   this->TransferTexture->SetMinificationFilter(vtkTextureObject::Linear);
   this->TransferTexture->SetMagnificationFilter(vtkTextureObject::Linear);
-  this->TransferTexture->Create2DFromRaw(static_cast<unsigned int>(entries.size()), 1, 4,
-    VTK_FLOAT, const_cast<flatblock::TransferTable::Entry*>(entries.data()));
+  this->TransferTexture->Create2DFromRaw(static_cast<unsigned int>(entries.size()), 1, 4, VTK_FLOAT,
+    const_cast<flatblock::TransferTable::Entry*>(entries.data()));
   this->TableLowest = table.GetLowest();
   this->TableHighest = table.GetHighest();
 }

@@ -26,8 +26,8 @@ int GetDepthAttachment(unsigned int parameter)
 bool HasStencil()
 {
   int bits = 0;
-  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
-    GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE, &bits);
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE, &bits);
   return bits > 0;
 }
 } // namespace
@@ -49,16 +49,15 @@ void vtkOpenGLFlatBlockSceneDepth::Capture(vtkRenderer* renderer)
 void vtkOpenGLFlatBlockSceneDepth::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 {
   if (this->Depth->GetHandle() != 0 && this->Depth->GetContext() == window &&
-    static_cast<int>(this->Depth->GetWidth()) == width &&
-    static_cast<int>(this->Depth->GetHeight()) == height)
+      static_cast<int>(this->Depth->GetWidth()) == width &&
+      static_cast<int>(this->Depth->GetHeight()) == height)
   {
     return;
   }
   this->ReleaseGraphicsResources(window);
   this->Depth->SetContext(window);
   const int bits = GetDepthAttachment(GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-  const bool isFloat =
-    GetDepthAttachment(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+  const bool isFloat = GetDepthAttachment(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
   if (HasStencil())
   {
     this->Depth->AllocateDepthStencil(width, height);
@@ -66,10 +65,10 @@ void vtkOpenGLFlatBlockSceneDepth::Allocate(vtkOpenGLRenderWindow* window, int w
   else
   {
     this->Depth->AllocateDepth(width, height,
-      isFloat         ? vtkTextureObject::Float32
-        : bits == 16 ? vtkTextureObject::Fixed16
-        : bits == 32 ? vtkTextureObject::Fixed32
-                     : vtkTextureObject::Fixed24);
+      isFloat      ? vtkTextureObject::Float32
+      : bits == 16 ? vtkTextureObject::Fixed16
+      : bits == 32 ? vtkTextureObject::Fixed32
+                   : vtkTextureObject::Fixed24);
   }
 }
 

@@ -126,9 +126,8 @@ void PrintVolume(vtkImageData* image)
 
 void PrintMapper(const Viewer& viewer)
 {
-  PrintRow("blocks",
-    std::to_string(viewer.Mapper->GetNumberOfBlocks()) + ", visible " +
-      std::to_string(viewer.Mapper->GetNumberOfVisibleBlocks()));
+  PrintRow("blocks", std::to_string(viewer.Mapper->GetNumberOfBlocks()) + ", visible " +
+                       std::to_string(viewer.Mapper->GetNumberOfVisibleBlocks()));
   PrintRow("atlas", Format(viewer.Mapper->GetAtlasBytes() / MiB, 1, " MiB"));
 }
 

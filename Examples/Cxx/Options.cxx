@@ -26,6 +26,7 @@ FILE is .nii .nii.gz .nrrd .nhdr .mhd .mha .vti .vtk, a folder of DICOM slices, 
   --block-size 17|33|65    samples a block's side (33)
   --sample-distance D      between samples along a ray (half of the smallest spacing)
   --interactive            opens a window
+  --default FILE           what is drawn where no FILE is named
   --help
 )";
 
@@ -39,10 +40,7 @@ namespace
 class Words
 {
 public:
-  Words(int argc, char* argv[])
-    : Rest(argv + 1, argv + argc)
-  {
-  }
+  Words(int argc, char* argv[]) : Rest(argv + 1, argv + argc) {}
   bool IsEmpty() const { return this->Next == this->Rest.size(); }
 
   std::string Take(const std::string& what)
@@ -85,8 +83,8 @@ int ToScalarType(const std::string& name)
   const auto found = types.find(name);
   if (found == types.end())
   {
-    Refuse("'" + name +
-      "' after --raw is none of uint8 int8 uint16 int16 uint32 int32 float double.");
+    Refuse(
+      "'" + name + "' after --raw is none of uint8 int8 uint16 int16 uint32 int32 float double.");
   }
   return found->second;
 }
@@ -144,6 +142,10 @@ void TakeOption(const std::string& option, Words& words, Options& options)
   {
     options.SampleDistance = words.TakeNumber(option, 0.0, 1e30);
   }
+  else if (option == "--default")
+  {
+    options.DefaultFile = words.Take(option);
+  }
   else if (option == "--interactive")
   {
     options.Interactive = true;
@@ -179,6 +181,10 @@ Options ParseOptions(int argc, char* argv[])
     {
       Refuse("One file at a time: '" + options.File + "' or '" + word + "'?");
     }
+  }
+  if (options.File.empty())
+  {
+    options.File = options.DefaultFile;
   }
   if (options.File.empty())
   {

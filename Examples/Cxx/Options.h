@@ -15,6 +15,7 @@ struct RawFormat
 struct Options
 {
   std::string File;
+  std::string DefaultFile;
   bool IsRaw = false;
   RawFormat Raw;
   std::string Preset; ///< empty: from the data's percentiles

@@ -51,8 +51,8 @@ std::vector<double> WithoutBackground(const std::vector<double>& sorted)
 {
   const double lowest = Quantile(sorted, 0.001);
   const double highest = Quantile(sorted, 0.999);
-  const auto first = std::upper_bound(
-    sorted.begin(), sorted.end(), lowest + 0.05 * (highest - lowest));
+  const auto first =
+    std::upper_bound(sorted.begin(), sorted.end(), lowest + 0.05 * (highest - lowest));
   return { first, sorted.end() };
 }
 

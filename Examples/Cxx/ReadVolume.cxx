@@ -77,12 +77,12 @@ vtkSmartPointer<vtkAlgorithm> MakeRawReader(const Options& options)
     reader->SetDataByteOrderToLittleEndian();
   }
   const auto wanted = static_cast<std::uintmax_t>(raw.Dimensions[0]) * raw.Dimensions[1] *
-    raw.Dimensions[2] * vtkDataArray::GetDataTypeSize(raw.ScalarType);
+                      raw.Dimensions[2] * vtkDataArray::GetDataTypeSize(raw.ScalarType);
   const std::uintmax_t size = fs::file_size(options.File);
   if (size != wanted)
   {
     throw std::runtime_error("'" + options.File + "' has " + std::to_string(size) +
-      " bytes, but --raw asks for " + std::to_string(wanted) + ".");
+                             " bytes, but --raw asks for " + std::to_string(wanted) + ".");
   }
   return reader;
 }
@@ -127,7 +127,8 @@ vtkSmartPointer<vtkAlgorithm> MakeReaderFor(const Options& options)
     throw std::runtime_error(
       "'" + options.File + "' has no header: say --raw NX NY NZ TYPE what is in it.");
   }
-  throw std::runtime_error("'" + options.File +
+  throw std::runtime_error(
+    "'" + options.File +
     "' ends in none of .nii .nii.gz .nrrd .nhdr .mhd .mha .vti .vtk .raw, and is no folder.");
 }
 

@@ -37,9 +37,7 @@ std::optional<Index3> AtlasAllocator::FindShape(std::int64_t bricks, int side, i
 }
 
 AtlasAllocator::AtlasAllocator(const Index3& shape, int side)
-  : Shape(shape)
-  , Side(side)
-  , FreePlaces(static_cast<std::size_t>(shape[0]) * shape[1] * shape[2])
+  : Shape(shape), Side(side), FreePlaces(static_cast<std::size_t>(shape[0]) * shape[1] * shape[2])
 {
   std::iota(this->FreePlaces.rbegin(), this->FreePlaces.rend(), 0);
 }

@@ -5,8 +5,7 @@
 namespace flatblock
 {
 BlockGrid::BlockGrid(const Index3& samples, int samplesPerBlock)
-  : Samples(samples)
-  , CellsPerBlock(samplesPerBlock - 1)
+  : Samples(samples), CellsPerBlock(samplesPerBlock - 1)
 {
   std::transform(samples.begin(), samples.end(), this->Blocks.begin(),
     [cells = this->CellsPerBlock](int n) { return std::max(1, (n - 2) / cells + 1); });
@@ -20,8 +19,7 @@ std::int64_t BlockGrid::GetNumberOfBlocks() const
 std::int64_t BlockGrid::GetBlock(const Index3& position) const
 {
   return position[0] +
-    this->Blocks[0] *
-    (position[1] + static_cast<std::int64_t>(this->Blocks[1]) * position[2]);
+         this->Blocks[0] * (position[1] + static_cast<std::int64_t>(this->Blocks[1]) * position[2]);
 }
 
 Index3 BlockGrid::GetPosition(std::int64_t block) const

@@ -7,10 +7,8 @@
 namespace flatblock
 {
 TransferTable::TransferTable(double lowest, double highest, std::vector<Entry> entries)
-  : Lowest(lowest)
-  , Highest(highest)
-  , Entries(std::move(entries))
-  , OpaqueBefore(this->Entries.size() + 1, 0)
+  : Lowest(lowest), Highest(highest), Entries(std::move(entries)),
+    OpaqueBefore(this->Entries.size() + 1, 0)
 {
   for (std::size_t i = 0; i < this->Entries.size(); ++i)
   {

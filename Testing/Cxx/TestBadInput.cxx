@@ -3,14 +3,14 @@
 #include "Rendering.h"
 #include "Volumes.h"
 
+#include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkIntArray.h"
-#include "vtkCellData.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkObjectFactory.h"
-#include "vtkTrivialProducer.h"
 #include "vtkSphereSource.h"
+#include "vtkTrivialProducer.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,8 @@ void ExpectOneError(const std::string& words, const std::function<void(Scene&)>&
       scene.Draw();
       broken = scene.Draw();
     });
-  ASSERT_EQ(messages.Errors.size(), 1U) << words << ": " << ::testing::PrintToString(messages.Errors);
+  ASSERT_EQ(messages.Errors.size(), 1U)
+    << words << ": " << ::testing::PrintToString(messages.Errors);
   EXPECT_NE(messages.Errors[0].find(words), std::string::npos) << messages.Errors[0];
   EXPECT_FALSE(ShowsSomething(broken)) << words;
 
@@ -112,8 +113,8 @@ TEST(BadInput, OneSampleThick)
     "20 x 20 x 1",
     [](Scene& scene)
     {
-      SetInput(scene,
-        MakeVolume({ 20, 20, 1 }, VTK_UNSIGNED_CHAR, [](int, int, int) { return 100.0; }));
+      SetInput(
+        scene, MakeVolume({ 20, 20, 1 }, VTK_UNSIGNED_CHAR, [](int, int, int) { return 100.0; }));
     },
     SetGood);
 }
@@ -132,8 +133,8 @@ TEST(BadInput, NotAnImage)
 
 TEST(BadInput, SpacingThatSpansNoVolume)
 {
-  for (double bad : { 0.0, std::numeric_limits<double>::quiet_NaN(),
-         std::numeric_limits<double>::infinity() })
+  for (double bad :
+    { 0.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
   {
     ExpectOneError(
       "span no volume",

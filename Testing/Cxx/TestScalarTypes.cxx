@@ -18,8 +18,8 @@ double Field(int x, int y, int z)
 
 vtkSmartPointer<vtkImageData> DrawType(int type, double scale, double shift)
 {
-  const auto volume = MakeVolume({ 40, 30, 35 }, type,
-    [=](int x, int y, int z) { return scale * Field(x, y, z) + shift; });
+  const auto volume = MakeVolume(
+    { 40, 30, 35 }, type, [=](int x, int y, int z) { return scale * Field(x, y, z) + shift; });
   Scene scene;
   scene.SetVolume(volume, 0.5);
   scene.SetRamp(scale * 5.0 + shift, scale * 115.0 + shift, 0.2);
@@ -46,7 +46,8 @@ TEST(ScalarTypes, AllDrawTheSameField)
   for (const auto& c : cases)
   {
     const double psnr = PSNR(DrawType(c.Type, c.Scale, c.Shift), reference);
-    EXPECT_GE(psnr, 50.0) << vtkImageScalarTypeNameMacro(c.Type) << " " << c.Scale << " " << c.Shift;
+    EXPECT_GE(psnr, 50.0) << vtkImageScalarTypeNameMacro(c.Type) << " " << c.Scale << " "
+                          << c.Shift;
   }
 }
 
@@ -103,7 +104,6 @@ TEST(ScalarTypes, ValuesThatAreNotFiniteDoNoHarm)
   const auto whole = scene.Draw();
   EXPECT_GE(PSNR(broken, whole), 30.0);
 
-  scene.SetVolume(
-    MakeVolume({ 20, 20, 20 }, VTK_DOUBLE, [=](int, int, int) { return nan; }), 0.5);
+  scene.SetVolume(MakeVolume({ 20, 20, 20 }, VTK_DOUBLE, [=](int, int, int) { return nan; }), 0.5);
   EXPECT_FALSE(ShowsSomething(scene.Draw()));
 }

@@ -56,8 +56,8 @@ TEST(TransferFunction, EditsEndLikeAFreshMapper)
 {
   Scene edited;
   Prepare(edited);
-  for (const auto& [from, to] :
-    std::vector<std::pair<double, double>>{ { 0, 128 }, { 60, 70 }, { 3, 9 }, { 90, 127 }, { 40, 80 } })
+  for (const auto& [from, to] : std::vector<std::pair<double, double>>{
+         { 0, 128 }, { 60, 70 }, { 3, 9 }, { 90, 127 }, { 40, 80 } })
   {
     ShowLayer(edited, from, to);
     const auto after = edited.Draw();

@@ -41,9 +41,8 @@ vtkStandardNewMacro(MessageCollector);
 struct Bytes
 {
   explicit Bytes(vtkImageData* picture)
-    : Array(vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars()))
-    , Begin(this->Array->GetPointer(0))
-    , Count(this->Array->GetNumberOfValues())
+    : Array(vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars())),
+      Begin(this->Array->GetPointer(0)), Count(this->Array->GetNumberOfValues())
   {
   }
   vtkUnsignedCharArray* Array;
@@ -73,8 +72,8 @@ void Scene::SetVolume(vtkImageData* image, double sampleDistance)
   this->Mapper->SetInputData(image);
   this->Mapper->SetSampleDistance(sampleDistance);
   this->Peer->SetInputData(image);
-  vtkGPUVolumeRayCastMapper::SafeDownCast(this->Peer)->SetSampleDistance(
-    static_cast<float>(sampleDistance));
+  vtkGPUVolumeRayCastMapper::SafeDownCast(this->Peer)
+    ->SetSampleDistance(static_cast<float>(sampleDistance));
 }
 
 void Scene::SetOpacity(const std::vector<std::pair<double, double>>& points)

@@ -18,7 +18,8 @@
 namespace flatblock::testing
 {
 /// A volume in an off-screen window of 256 x 256 pixels, without multisampling. It is drawn by
-/// vtkFlatBlockVolumeMapper, or by the peer, vtkGPUVolumeRayCastMapper, at the same sample distance.
+/// vtkFlatBlockVolumeMapper, or by the peer, vtkGPUVolumeRayCastMapper, at the same sample
+/// distance.
 class Scene
 {
 public:

@@ -41,8 +41,8 @@ template <typename T>
 std::vector<ValueRange> Compute(const std::vector<T>& samples, const BlockGrid& grid)
 {
   std::vector<ValueRange> ranges(grid.GetNumberOfBlocks());
-  flatblock::ComputeBlockRanges(samples.data(), grid.GetSamples(), grid.GetCellsPerBlock(),
-    grid.GetBlocks(), ranges.data());
+  flatblock::ComputeBlockRanges(
+    samples.data(), grid.GetSamples(), grid.GetCellsPerBlock(), grid.GetBlocks(), ranges.data());
   return ranges;
 }
 

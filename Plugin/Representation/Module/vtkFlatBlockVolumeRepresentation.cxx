@@ -76,9 +76,8 @@ void vtkFlatBlockVolumeRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
   vtkInformation* chosen = this->GetInputArrayInformation(0);
-  const char* name = chosen->Has(vtkDataObject::FIELD_NAME())
-    ? chosen->Get(vtkDataObject::FIELD_NAME())
-    : nullptr;
+  const char* name =
+    chosen->Has(vtkDataObject::FIELD_NAME()) ? chosen->Get(vtkDataObject::FIELD_NAME()) : nullptr;
   vtkDataArray* found = name && *name ? nullptr : FindArray(this->Cache);
   if (!found)
   {
@@ -90,8 +89,7 @@ void vtkFlatBlockVolumeRepresentation::UpdateMapperParameters()
     ShowInGray(found, this->GrayProperty);
     this->ShownInGray = found;
   }
-  this->GrayProperty->SetScalarOpacityUnitDistance(
-    this->Property->GetScalarOpacityUnitDistance());
+  this->GrayProperty->SetScalarOpacityUnitDistance(this->Property->GetScalarOpacityUnitDistance());
   this->GrayProperty->SetInterpolationType(this->Property->GetInterpolationType());
   this->Actor->SetProperty(this->GrayProperty);
   this->VolumeMapper->SelectScalarArray(found->GetName());

@@ -1,0 +1,54 @@
+# Sourced by Examples/run.sh and Testing/run.sh: installs what is missing, configures, builds.
+
+set -euo pipefail
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+
+# ParaView with its VTK, and what find_package(ParaView) asks for beyond it.
+build_packages=(
+  g++ cmake ninja-build libgtest-dev
+  paraview paraview-dev python3-paraview libpython3-dev
+  libdouble-conversion-dev libeigen3-dev libexpat1-dev libfreetype-dev libgl-dev libglew-dev
+  libjpeg-dev liblz4-dev liblzma-dev libopengl-dev libpng-dev libtiff-dev libutfcpp-dev libx11-dev
+  libxcursor-dev mpi-default-dev zlib1g-dev)
+# A display where there is none, OpenGL in software, and a real MRI.
+run_packages=(xvfb xauth libgl1-mesa-dri mricron-data)
+
+missing_packages() { # PACKAGE...
+  local package
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)" = installed ] ||
+      echo "$package"
+  done
+}
+
+install_packages() { # PACKAGE...
+  local missing as_root=()
+  mapfile -t missing < <(missing_packages "$@")
+  [ ${#missing[@]} -gt 0 ] || return 0
+  local command="apt-get install -y --no-install-recommends ${missing[*]}"
+  if [ "$(id -u)" -ne 0 ]; then
+    if sudo -n true 2>/dev/null || { [ -t 0 ] && command -v sudo >/dev/null; }; then
+      as_root=(sudo)
+    else
+      printf 'Packages are missing, and there is no root or sudo to install them. Run, as root:\n  %s\n' \
+        "$command" >&2
+      exit 1
+    fi
+  fi
+  echo "Installing ${#missing[@]} packages ..."
+  "${as_root[@]}" apt-get update -qq
+  DEBIAN_FRONTEND=noninteractive "${as_root[@]}" $command -qq >/dev/null
+}
+
+build() { # PRESET [CMAKE OPTION...]
+  local preset=$1 log
+  shift
+  mkdir -p "$project/build"
+  log="$project/build/$preset.log"
+  if [ ! -f "$project/build/$preset/build.ninja" ]; then
+    echo "Configuring $preset ..."
+    (cd "$project" && cmake --preset "$preset" "$@") >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+    grep -E '^-- (VTK|CUDA|OpenMP)' "$log" || true
+  fi
+  (cd "$project" && cmake --build --preset "$preset") >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+}

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Builds everything and runs every test, on a virtual display where there is none.
+# Installs what is missing first.
+source "$(dirname "${BASH_SOURCE[0]}")/Support/setup.sh"
+
+# VTK 9.1 cannot be installed beside ParaView, but unpacked beside it. Its libraries want these.
+vtk91_packages=(libvtk9-dev libvtk9.1 vtk9 python3-vtk9)
+vtk91_needs=(libgl2ps1.4 libhdf5-103-1 libnetcdf19 libogg0 libproj25 libsqlite3-0 libtbb-dev libtcl8.6
+  libtheora0 libtk8.6)
+
+unpack_vtk91() {
+  local sdk="$project/build/vtk91-sdk" archives deb
+  [ ! -f "$sdk/complete" ] || return 0
+  echo "Unpacking VTK 9.1 ..."
+  archives=$(mktemp -d)
+  (cd "$archives" && apt-get download -qq "${vtk91_packages[@]}" 2>/dev/null)
+  mkdir -p "$sdk"
+  for deb in "$archives"/*.deb; do
+    dpkg -x "$deb" "$sdk"
+  done
+  rm -r "$archives"
+  touch "$sdk/complete"
+}
+
+check_format() {
+  command -v clang-format >/dev/null || { echo "clang-format is not here: not checked"; return 0; }
+  echo "Checking the format ..."
+  (cd "$project" && find Examples Kernels Module Plugin Testing \
+    -name '*.cxx' -o -name '*.h' -o -name '*.cu' | xargs clang-format --dry-run --Werror)
+}
+
+check_tidy() {
+  command -v clang-tidy >/dev/null || { echo "clang-tidy is not here: not checked"; return 0; }
+  echo "Checking with clang-tidy ..."
+  (cd "$project" && find Examples Kernels Module Plugin -name '*.cxx' -not -name CudaAbsent.cxx |
+    xargs -P "$(nproc)" -n 2 clang-tidy -p build/release --quiet 2>/dev/null)
+}
+
+run_tests() { # PRESET
+  echo "Testing $1 ..."
+  (cd "$project" && Testing/Support/with-display.sh ctest --preset "$1" -j "$(nproc)") || failures=1
+}
+
+failures=0
+install_packages "${build_packages[@]}" "${run_packages[@]}" "${vtk91_needs[@]}"
+check_format
+build release -DFLATBLOCK_WARNINGS_AS_ERRORS=ON
+check_tidy
+unpack_vtk91
+build vtk91 -DFLATBLOCK_WARNINGS_AS_ERRORS=ON
+run_tests vtk91
+run_tests release
+exit "$failures"
