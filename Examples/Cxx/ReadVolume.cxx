@@ -1,5 +1,7 @@
 #include "ReadVolume.h"
 
+#include "XMLImageReader.h"
+
 #include "vtkDICOMImageReader.h"
 #include "vtkDataArray.h"
 #include "vtkImageReader2.h"
@@ -12,7 +14,6 @@
 #include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkStructuredPointsReader.h"
-#include "vtkXMLImageDataReader.h"
 
 #include <algorithm>
 #include <cctype>
@@ -116,7 +117,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReaderFor(const Options& options)
   }
   if (EndsWith(name, ".vti"))
   {
-    return MakeReader<vtkXMLImageDataReader>(options.File);
+    return MakeReader<XMLImageReader>(options.File);
   }
   if (EndsWith(name, ".vtk"))
   {

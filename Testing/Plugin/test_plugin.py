@@ -26,12 +26,12 @@ def read(file):
 
 
 def convert_mri(folder):
-    """ParaView itself does not open NIfTI."""
+    """ParaView itself does not open NIfTI; its reader of appended data fails with some libexpats."""
     reader = vtkNIFTIImageReader()
     reader.SetFileName(MRI)
     writer = vtkXMLImageDataWriter()
     writer.SetInputConnection(reader.GetOutputPort())
-    writer.SetCompressorTypeToNone()
+    writer.SetDataModeToBinary()
     writer.SetFileName(os.path.join(folder, "mri.vti"))
     writer.Write()
     return writer.GetFileName()

@@ -13,6 +13,13 @@ build_packages=(
 # A display where there is none, OpenGL in software, and a real MRI.
 run_packages=(xvfb xauth libgl1-mesa-dri mricron-data)
 
+logged() { # NAME COMMAND...
+  local log="$project/build/$1.log"
+  shift
+  mkdir -p "$project/build"
+  "$@" >"$log" 2>&1 </dev/null || { cat "$log" >&2; exit 1; }
+}
+
 missing_packages() { # PACKAGE...
   local package
   for package in "$@"; do
@@ -36,19 +43,17 @@ install_packages() { # PACKAGE...
     fi
   fi
   echo "Installing ${#missing[@]} packages ..."
-  "${as_root[@]}" apt-get update -qq
-  DEBIAN_FRONTEND=noninteractive "${as_root[@]}" $command -qq >/dev/null
+  logged packages "${as_root[@]}" apt-get update
+  logged packages "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive $command
 }
 
 build() { # PRESET [CMAKE OPTION...]
-  local preset=$1 log
+  local preset=$1 folder="$project/build/$1"
   shift
-  mkdir -p "$project/build"
-  log="$project/build/$preset.log"
-  if [ ! -f "$project/build/$preset/build.ninja" ]; then
-    echo "Configuring $preset ..."
-    (cd "$project" && cmake --preset "$preset" "$@") >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
-    grep -E '^-- (VTK|CUDA|OpenMP)' "$log" || true
+  if [ ! -f "$folder/build.ninja" ]; then
+    echo "Configuring and building $preset ..."
+    logged configure env -C "$project" cmake --preset "$preset" "$@"
+    grep -E '^-- (VTK|CUDA|OpenMP)' "$project/build/configure.log"
   fi
-  (cd "$project" && cmake --build --preset "$preset") >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+  logged build cmake --build "$folder"
 }
