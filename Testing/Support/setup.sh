@@ -3,13 +3,11 @@
 set -euo pipefail
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
-# ParaView with its VTK, and what find_package(ParaView) asks for beyond it.
+# ParaView with its VTK, and what find_package(ParaView) cannot do without.
 build_packages=(
   g++ cmake ninja-build libgtest-dev
-  paraview paraview-dev python3-paraview libpython3-dev
-  libdouble-conversion-dev libeigen3-dev libexpat1-dev libfreetype-dev libgl-dev libglew-dev
-  libjpeg-dev liblz4-dev liblzma-dev libopengl-dev libpng-dev libtiff-dev libutfcpp-dev libx11-dev
-  libxcursor-dev mpi-default-dev zlib1g-dev)
+  paraview paraview-dev python3-paraview libpython3-dev mpi-default-dev
+  libfreetype-dev libgl-dev libglew-dev libopengl-dev libx11-dev zlib1g-dev)
 # A display where there is none, OpenGL in software, and a real MRI.
 run_packages=(xvfb xauth libgl1-mesa-dri mricron-data)
 
