@@ -251,7 +251,6 @@ void vtkFlatBlockVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Atlas->ReleaseGraphicsResources(window);
   this->Internals->RayCaster->ReleaseGraphicsResources(window);
-  this->Internals->Residency.Clear();
 }
 
 vtkTypeInt64 vtkFlatBlockVolumeMapper::GetNumberOfBlocks() const

@@ -85,6 +85,24 @@ TEST(ScalarTypes, ConstantVolumeEqualsTheClosedForm)
   }
 }
 
+TEST(ScalarTypes, FogBehindTheCameraIsNotSeen)
+{
+  Scene scene;
+  scene.SetVolume(
+    MakeVolume({ 41, 41, 41 }, VTK_UNSIGNED_CHAR, [](int, int, int) { return 7.0; }), 0.25);
+  scene.SetOpacity({ { 0.0, 0.02 }, { 255.0, 0.02 } });
+  scene.SetColor({ { 0.0, 1.0, 1.0, 1.0 } });
+  scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(20.0, 20.0, 30.0);
+  camera->SetFocalPoint(20.0, 20.0, 0.0);
+  scene.Renderer->ResetCameraClippingRange();
+  camera->SetClippingRange(1e-3, 100.0);
+  const auto picture = scene.Draw();
+  const double expected = 255.0 * (1.0 - std::pow(0.98, 30.0));
+  EXPECT_NEAR(picture->GetScalarComponentAsDouble(128, 128, 0, 0), expected, 1.0);
+}
+
 TEST(ScalarTypes, ValuesThatAreNotFiniteDoNoHarm)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -130,6 +130,16 @@ TEST(Transforms, MirroredVolumesAreNotTurnedInsideOut)
   other.Renderer->GetActiveCamera()->DeepCopy(scene.Renderer->GetActiveCamera());
   EXPECT_TRUE(ShowsSomething(mirrored));
   EXPECT_GE(PSNR(mirrored, other.Draw()), 55.0);
+
+  for (Scene* inside : { &scene, &other })
+  {
+    inside->Renderer->GetActiveCamera()->SetPosition(-10.0, 12.0, 10.0);
+    inside->Renderer->GetActiveCamera()->SetFocalPoint(-30.0, 8.0, 5.0);
+    inside->Renderer->ResetCameraClippingRange();
+  }
+  const auto fromInside = scene.Draw();
+  EXPECT_TRUE(ShowsSomething(fromInside));
+  EXPECT_GE(PSNR(fromInside, other.Draw()), 55.0);
 }
 
 TEST(Transforms, ClippingRangeOfTheCameraDoesNotCutHoles)
