@@ -15,6 +15,8 @@ struct Extremes
 {
   T Lowest = std::numeric_limits<T>::max();
   T Highest = std::numeric_limits<T>::lowest();
+  bool HasBelow = false;
+  bool HasAbove = false;
 
   void Add(const T* values, int count)
   {
@@ -27,6 +29,8 @@ struct Extremes
       {
         if (!std::isfinite(v))
         {
+          this->HasAbove = this->HasAbove || v > T(0);
+          this->HasBelow = this->HasBelow || !(v > T(0));
           continue;
         }
       }
@@ -61,10 +65,15 @@ void ComputeRowOfBlocks(const T* samples, const std::array<int, 3>& dims, int ce
         extremes.Add(samples + row + firstX, count);
       }
     }
-    const bool empty = extremes.Lowest > extremes.Highest;
-    ranges[blockX] = empty ? ValueRange()
-                           : ValueRange{ static_cast<double>(extremes.Lowest),
-                               static_cast<double>(extremes.Highest) };
+    ValueRange& range = ranges[blockX];
+    range = ValueRange();
+    if (extremes.Lowest <= extremes.Highest)
+    {
+      range.Lowest = static_cast<double>(extremes.Lowest);
+      range.Highest = static_cast<double>(extremes.Highest);
+    }
+    range.HasBelow = extremes.HasBelow;
+    range.HasAbove = extremes.HasAbove;
   }
 }
 } // namespace

@@ -6,18 +6,20 @@
 
 namespace flatblock
 {
-/// Interval of sample values; empty (Lowest > Highest) where a block has no finite sample.
+/// Interval of the finite sample values; empty (Lowest > Highest) where there is none.
 struct ValueRange
 {
   double Lowest = std::numeric_limits<double>::infinity();
   double Highest = -std::numeric_limits<double>::infinity();
+  bool HasBelow = false; ///< a sample is NaN or -infinity
+  bool HasAbove = false; ///< a sample is infinity
 
   bool IsEmpty() const { return this->Lowest > this->Highest; }
 };
 
 /// Writes blocks[0] * blocks[1] * blocks[2] ranges, x fastest. Block (i,j,k) covers the samples
 /// i*cells .. (i+1)*cells along x (likewise y, z), cut at the volume's far faces: neighbours share
-/// their border samples. Infinite values and NaN are left out. OpenMP over rows of blocks; the
+/// their border samples. OpenMP over rows of blocks; the
 /// result does not depend on the number of threads.
 ///
 /// @param samples  dims[0] * dims[1] * dims[2] values, x fastest

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 
 namespace flatblock
 {
 /// The texel of a value, an unsigned integer or a float in [0, 1], so that
 /// value = offset + scale * texel, with integer texels counted as normalized.
-/// - integers of 8 and 16 bit: exact, offset = the type's lowest value
+/// - integers of 8 and 16 bit: exact, offset = the volume's lowest value: so small differences keep
+///   all their digits in single precision
 /// - other types: float, error <= scale / 2^24; NaN becomes 0, infinities become 0 or 1
 template <typename T, typename Texel>
 struct TexelEncoder
@@ -24,7 +24,7 @@ struct TexelEncoder
     if constexpr (std::is_integral_v<Texel>)
     {
       static_assert(std::is_integral_v<T> && sizeof(T) == sizeof(Texel));
-      return static_cast<Texel>(static_cast<int>(value) - std::numeric_limits<T>::lowest());
+      return static_cast<Texel>(static_cast<int>(value) - static_cast<int>(this->Offset));
     }
     else
     {

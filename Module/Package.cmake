@@ -18,5 +18,3 @@ install(FILES
   "${CMAKE_BINARY_DIR}/${flatblock_cmake_destination}/FlatBlockVolumeConfig.cmake"
   "${CMAKE_BINARY_DIR}/${flatblock_cmake_destination}/FlatBlockVolumeConfigVersion.cmake"
   DESTINATION "${flatblock_cmake_destination}")
-install(EXPORT FlatBlockVolume NAMESPACE FlatBlock:: FILE FlatBlockVolumeTargets.cmake
-  DESTINATION "${flatblock_cmake_destination}")

@@ -34,8 +34,7 @@ flatblock::TexelEncoding MakeEncoding(const flatblock::ValueRange& range)
   {
     const auto format =
       sizeof(T) == 1 ? flatblock::TexelFormat::Unsigned8 : flatblock::TexelFormat::Unsigned16;
-    return { format, static_cast<double>(std::numeric_limits<T>::lowest()),
-      static_cast<double>(std::numeric_limits<Texel>::max()) };
+    return { format, range.Lowest, static_cast<double>(std::numeric_limits<Texel>::max()) };
   }
 }
 
@@ -81,20 +80,22 @@ vtkSmartPointer<vtkDataArray> UnpackBits(vtkDataArray* scalars)
 
 bool vtkFlatBlockBuilder::Update(vtkImageData* image, vtkDataArray* scalars, int blockSize)
 {
-  if (this->Source && this->BuiltArray == scalars && this->BuiltImageTime == image->GetMTime() &&
-      this->BuiltBlockSize == blockSize)
+  const void* samplesNow = scalars->GetVoidPointer(0);
+  if (this->Source && this->BuiltSamples == samplesNow &&
+      this->BuiltImageTime == image->GetMTime() && this->BuiltBlockSize == blockSize)
   {
     return false;
   }
   flatblock::Index3 samples;
   image->GetDimensions(samples.data());
   const flatblock::BlockGrid grid(samples, blockSize);
+  this->Source.reset();
   this->Scalars = UnpackBits(scalars);
   switch (this->Scalars->GetDataType())
   {
     vtkTemplateMacro(this->Build(grid, static_cast<VTK_TT*>(this->Scalars->GetVoidPointer(0))));
   }
-  this->BuiltArray = scalars;
+  this->BuiltSamples = samplesNow;
   this->BuiltImageTime = image->GetMTime();
   this->BuiltBlockSize = blockSize;
   this->Modified();

@@ -36,6 +36,7 @@ public:
    * Valid after Update(), until the image's samples change.
    */
   const flatblock::BrickSource& GetSource() const { return *this->Source; }
+  /// As drawn: NaN and infinities count as the lowest or highest value of the volume.
   const std::vector<flatblock::ValueRange>& GetBlockRanges() const { return this->BlockRanges; }
 
   /**
@@ -59,7 +60,7 @@ private:
   std::vector<flatblock::ValueRange> BlockRanges;
   flatblock::ValueRange Range;
 
-  vtkDataArray* BuiltArray = nullptr; // only compared with
+  const void* BuiltSamples = nullptr; // only compared with
   vtkMTimeType BuiltImageTime = 0;
   int BuiltBlockSize = 0;
 };

@@ -24,6 +24,20 @@ vtkMTimeType GetLastEdit(vtkVolumeProperty* property)
   return std::max({ property->GetMTime(), color, property->GetScalarOpacity()->GetMTime() });
 }
 
+template <typename Function>
+int EstimateEntries(Function* function, const flatblock::ValueRange& range)
+{
+  if (function->GetSize() < 2)
+  {
+    return FewestEntries;
+  }
+  // Negative: the nodes are so close that the estimate overflowed.
+  const int estimate = function->EstimateMinNumberOfSamples(range.Lowest, range.Highest);
+  const int most = MostEntries / EntriesPerEstimate;
+  return estimate < 0 || estimate > most ? MostEntries
+                                         : std::max(estimate * EntriesPerEstimate, FewestEntries);
+}
+
 // Fine enough for the closest pair of nodes, with an entry at every integer where there is room.
 int CountEntries(vtkVolumeProperty* property, const flatblock::ValueRange& range)
 {
@@ -32,15 +46,11 @@ int CountEntries(vtkVolumeProperty* property, const flatblock::ValueRange& range
   {
     return 1;
   }
-  int estimate =
-    property->GetScalarOpacity()->EstimateMinNumberOfSamples(range.Lowest, range.Highest);
+  int wanted = EstimateEntries(property->GetScalarOpacity(), range);
   if (property->GetColorChannels() != 1)
   {
-    estimate = std::max(estimate,
-      property->GetRGBTransferFunction()->EstimateMinNumberOfSamples(range.Lowest, range.Highest));
+    wanted = std::max(wanted, EstimateEntries(property->GetRGBTransferFunction(), range));
   }
-  const int wanted =
-    std::clamp(std::min(estimate, MostEntries) * EntriesPerEstimate, FewestEntries, MostEntries);
   if (span == std::floor(span) && span < MostEntries)
   {
     const int steps = static_cast<int>(span);

@@ -78,6 +78,10 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
   in.UploadedBytes = 0;
+  if (renderer->GetSelector())
+  {
+    return; // a volume's colours are no ids of props or cells
+  }
   try
   {
     this->DrawFrame(renderer, volume);
@@ -85,6 +89,7 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   catch (const std::exception& problem)
   {
+    in.Residency.Clear(); // an upload may have been cut short
     this->ReportOnce(problem.what());
   }
 }
@@ -122,6 +127,7 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   if (in.Window && in.Window != window)
   {
     this->ReleaseGraphicsResources(in.Window);
+    window->MakeCurrent();
   }
   in.Window = window;
   if (!volume || !volume->GetProperty())
@@ -175,7 +181,7 @@ void vtkFlatBlockVolumeMapper::UpdateTransferTable(vtkVolume* volume)
     in.VisibleBlocks.resize(ranges.size());
     std::transform(ranges.begin(), ranges.end(), in.VisibleBlocks.begin(),
       [&table](const flatblock::ValueRange& range) -> std::uint8_t
-      { return !range.IsEmpty() && !table.IsTransparent(range.Lowest, range.Highest); });
+      { return !table.IsTransparent(range.Lowest, range.Highest); });
     in.VisibleBlocksTime.Modified();
   }
   if (!in.RayCaster->HasTransferTable() || tableTime > in.TransferTextureTime)
@@ -204,7 +210,6 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas()
   if (!in.Atlas->Execute(in.Window, *plan, in.Residency, in.Builder->GetSource()))
   {
     const flatblock::Index3 size = in.Residency.GetAtlas().GetTextureSize();
-    in.Residency.Clear();
     throw std::runtime_error("The graphics card has no memory for an atlas of " +
                              std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
                              std::to_string(size[2]) + " texels.");
@@ -236,6 +241,8 @@ void vtkFlatBlockVolumeMapper::WarnAboutIgnoredSettings(vtkVolume* volume)
   check(property->GetShade() != 0, "shading");
   check(
     property->HasGradientOpacity() && !property->GetDisableGradientOpacity(), "gradient opacity");
+  check(property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D, "2D transfer functions");
+  check(this->Internals->Input.Image->HasAnyBlankPoints(), "blanked points");
   check(this->Cropping != 0, "cropping");
   check(this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0, "clipping planes");
   check(this->GetStep() > this->SampleDistance && this->SampleDistance > 0.0,

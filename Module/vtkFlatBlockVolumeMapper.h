@@ -13,8 +13,9 @@
  * infinite values as the lowest or highest.
  *
  * From vtkVolumeProperty: colour, scalar opacity, ScalarOpacityUnitDistance, interpolation (linear
- * or nearest) of the first component. Blending is composite. Shading, gradient opacity, cropping
- * and clipping planes are not supported yet; a warning says so where they are set.
+ * or nearest) of the first component. Blending is composite. Shading, gradient opacity, 2D transfer
+ * functions, blanked points, cropping and clipping planes are not supported yet; a warning says so
+ * where they are set. Hardware selection passes through the volume.
  *
  * What cannot be drawn gives one error, and nothing is drawn until it is set right.
  *

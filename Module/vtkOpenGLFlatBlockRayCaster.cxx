@@ -22,6 +22,7 @@
 #include "FlatBlockRayGLSL.h"
 
 #include <array>
+#include <cmath>
 #include <string>
 
 vtkStandardNewMacro(vtkOpenGLFlatBlockRayCaster);
@@ -32,7 +33,7 @@ constexpr int CubeStripVertices = 14;
 constexpr float EnoughOpacity = 1.0F - 1.0F / 255.0F;
 
 // VTK's key matrices are transposed; from here on they are not.
-void GetCameraMatrices(vtkRenderer* renderer, vtkMatrix4x4* worldToView, vtkMatrix4x4* worldToClip)
+void GetSampleToClip(vtkRenderer* renderer, vtkMatrix4x4* sampleToWorld, vtkMatrix4x4* sampleToClip)
 {
   vtkMatrix4x4* view;
   vtkMatrix3x3* normal;
@@ -40,21 +41,37 @@ void GetCameraMatrices(vtkRenderer* renderer, vtkMatrix4x4* worldToView, vtkMatr
   vtkMatrix4x4* clip;
   auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
   camera->GetKeyMatrices(renderer, view, normal, projection, clip);
-  vtkMatrix4x4::Transpose(view, worldToView);
+  vtkNew<vtkMatrix4x4> worldToClip;
   vtkMatrix4x4::Transpose(clip, worldToClip);
+  vtkMatrix4x4::Multiply4x4(worldToClip, sampleToWorld, sampleToClip);
 }
 
-// Perspective: (-eye, 1); parallel: (direction of sight, 0); in samples.
-std::array<float, 4> GetEye(vtkMatrix4x4* sampleToView, bool parallel)
+// Perspective: (-eye, 1); parallel: (direction of sight, 0); in samples. The eye is where x, y and
+// w of clip coordinates vanish: so stereo and sheared projections are right, too.
+std::array<float, 4> GetEye(vtkMatrix4x4* sampleToClip, bool parallel)
 {
-  vtkNew<vtkMatrix4x4> viewToSample;
-  vtkMatrix4x4::Invert(sampleToView, viewToSample);
-  const double eyeInView[4] = { 0.0, 0.0, parallel ? -1.0 : 0.0, parallel ? 0.0 : 1.0 };
+  vtkNew<vtkMatrix4x4> clipToSample;
+  vtkMatrix4x4::Invert(sampleToClip, clipToSample);
+  const double eyeInClip[4] = { 0.0, 0.0, -1.0, 0.0 };
   double eye[4];
-  viewToSample->MultiplyPoint(eyeInView, eye);
-  const double sign = parallel ? 1.0 : -1.0 / eye[3];
-  return { static_cast<float>(sign * eye[0]), static_cast<float>(sign * eye[1]),
-    static_cast<float>(sign * eye[2]), parallel ? 0.0F : 1.0F };
+  clipToSample->MultiplyPoint(eyeInClip, eye);
+  double length = eye[3];
+  if (parallel)
+  {
+    length = std::hypot(eye[0], eye[1], eye[2]);
+  }
+  return { static_cast<float>(-eye[0] / length), static_cast<float>(-eye[1] / length),
+    static_cast<float>(-eye[2] / length), parallel ? 0.0F : 1.0F };
+}
+
+// The window's cache of shaders compiles it once; nothing here outlives the window.
+vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window)
+{
+  std::string fragment = FlatBlockRayCasterFragmentGLSL;
+  vtkShaderProgram::Substitute(fragment, "//FlatBlock::Ray", FlatBlockRayGLSL);
+  vtkShaderProgram::Substitute(fragment, "//FlatBlock::Blocks", FlatBlockBlocksGLSL);
+  return window->GetShaderCache()->ReadyShaderProgram(
+    FlatBlockRayCasterVertexGLSL, fragment.c_str(), "");
 }
 
 void SetRow(vtkShaderProgram* program, const char* name, vtkMatrix4x4* matrix, int row)
@@ -67,12 +84,13 @@ void SetRow(vtkShaderProgram* program, const char* name, vtkMatrix4x4* matrix, i
   program->SetUniform4f(name, values);
 }
 
-void SetDirections(vtkShaderProgram* program, const char* name, vtkMatrix4x4* matrix)
+void SetDirections(
+  vtkShaderProgram* program, const char* name, vtkMatrix4x4* matrix, double unitOfLength)
 {
   float columns[9];
   for (int i = 0; i < 9; ++i)
   {
-    columns[i] = static_cast<float>(matrix->GetElement(i % 3, i / 3));
+    columns[i] = static_cast<float>(matrix->GetElement(i % 3, i / 3) / unitOfLength);
   }
   program->SetUniformMatrix3x3(name, columns);
 }
@@ -112,17 +130,23 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->SceneDepth->Capture(renderer);
-  if (!this->ReadyProgram(window))
+  vtkShaderProgram* program = ReadyProgram(window);
+  if (!program)
   {
     return false;
   }
-  this->SetGeometry(renderer, scene);
-  this->SetBlocks(scene);
-  this->SetClassification(scene);
-
   vtkNew<vtkMatrix4x4> sampleToWorld;
+  vtkNew<vtkMatrix4x4> sampleToClip;
   vtkMatrix4x4::Multiply4x4(scene.DataSetToWorld, scene.SampleToDataSet, sampleToWorld);
-  this->DrawBox(window, sampleToWorld->Determinant() < 0.0);
+  GetSampleToClip(renderer, sampleToWorld, sampleToClip);
+  const bool parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  program->SetUniform4f("in_Eye", GetEye(sampleToClip, parallel).data());
+  this->SetGeometry(program, scene, sampleToClip);
+  this->SetBlocks(program, scene);
+  this->SetClassification(program, scene);
+
+  // A projection to clip coordinates turns space over once.
+  this->DrawBox(window, sampleToClip->Determinant() > 0.0);
 
   for (vtkTextureObject* texture : { scene.Atlas->GetBricks(), scene.Atlas->GetBlockIndex(),
          this->TransferTexture.Get(), this->SceneDepth->GetTexture() })
@@ -132,55 +156,25 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
   return true;
 }
 
-bool vtkOpenGLFlatBlockRayCaster::ReadyProgram(vtkOpenGLRenderWindow* window)
+void vtkOpenGLFlatBlockRayCaster::SetGeometry(
+  vtkShaderProgram* program, const Scene& scene, vtkMatrix4x4* sampleToClip)
 {
-  if (!this->Box.Program)
-  {
-    std::string fragment = FlatBlockRayCasterFragmentGLSL;
-    vtkShaderProgram::Substitute(fragment, "//FlatBlock::Ray", FlatBlockRayGLSL);
-    vtkShaderProgram::Substitute(fragment, "//FlatBlock::Blocks", FlatBlockBlocksGLSL);
-    this->Box.Program = window->GetShaderCache()->ReadyShaderProgram(
-      FlatBlockRayCasterVertexGLSL, fragment.c_str(), "");
-    this->Box.VAO->ShaderProgramChanged();
-  }
-  else
-  {
-    window->GetShaderCache()->ReadyShaderProgram(this->Box.Program);
-  }
-  return this->Box.Program != nullptr;
-}
-
-void vtkOpenGLFlatBlockRayCaster::SetGeometry(vtkRenderer* renderer, const Scene& scene)
-{
-  vtkNew<vtkMatrix4x4> worldToView;
-  vtkNew<vtkMatrix4x4> worldToClip;
-  GetCameraMatrices(renderer, worldToView, worldToClip);
-  vtkNew<vtkMatrix4x4> sampleToWorld;
-  vtkNew<vtkMatrix4x4> sampleToView;
-  vtkNew<vtkMatrix4x4> sampleToClip;
-  vtkMatrix4x4::Multiply4x4(scene.DataSetToWorld, scene.SampleToDataSet, sampleToWorld);
-  vtkMatrix4x4::Multiply4x4(worldToView, sampleToWorld, sampleToView);
-  vtkMatrix4x4::Multiply4x4(worldToClip, sampleToWorld, sampleToClip);
-
-  vtkShaderProgram* program = this->Box.Program;
-  const bool parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
-  program->SetUniform4f("in_Eye", GetEye(sampleToView, parallel).data());
   const auto lastSample = ToFloats(scene.Source->GetGrid().GetSamples(), -1);
   program->SetUniform3f("in_LastSample", lastSample.data());
-  SetDirections(program, "in_SampleToDataSet", scene.SampleToDataSet);
+  SetDirections(program, "in_SampleToSteps", scene.SampleToDataSet, scene.Step);
   SetRow(program, "in_SampleToClipZ", sampleToClip, 2);
   SetRow(program, "in_SampleToClipW", sampleToClip, 3);
-  sampleToClip->Transpose();
-  program->SetUniformMatrix("in_SampleToClip", sampleToClip);
+  vtkNew<vtkMatrix4x4> columns;
+  vtkMatrix4x4::Transpose(sampleToClip, columns);
+  program->SetUniformMatrix("in_SampleToClip", columns);
 
   this->SceneDepth->GetTexture()->Activate();
   program->SetUniformi("in_SceneDepth", this->SceneDepth->GetTexture()->GetTextureUnit());
   program->SetUniform2i("in_ViewportOrigin", this->SceneDepth->GetOrigin());
 }
 
-void vtkOpenGLFlatBlockRayCaster::SetBlocks(const Scene& scene)
+void vtkOpenGLFlatBlockRayCaster::SetBlocks(vtkShaderProgram* program, const Scene& scene)
 {
-  vtkShaderProgram* program = this->Box.Program;
   const flatblock::BlockGrid& grid = scene.Source->GetGrid();
   vtkTextureObject* bricks = scene.Atlas->GetBricks();
   const int filter =
@@ -200,9 +194,8 @@ void vtkOpenGLFlatBlockRayCaster::SetBlocks(const Scene& scene)
 
 // A texel t is the value offset + scale * t, and lies in the table's texture where entry 0 has its
 // centre at 0.5 / entries and the last one at 1 - 0.5 / entries.
-void vtkOpenGLFlatBlockRayCaster::SetClassification(const Scene& scene)
+void vtkOpenGLFlatBlockRayCaster::SetClassification(vtkShaderProgram* program, const Scene& scene)
 {
-  vtkShaderProgram* program = this->Box.Program;
   const flatblock::TexelEncoding& encoding = scene.Source->GetEncoding();
   const double entries = this->TransferTexture->GetWidth();
   const double span = this->TableHighest - this->TableLowest;
@@ -212,7 +205,6 @@ void vtkOpenGLFlatBlockRayCaster::SetClassification(const Scene& scene)
   this->TransferTexture->Activate();
   program->SetUniformi("in_TransferTable", this->TransferTexture->GetTextureUnit());
   program->SetUniform2f("in_TexelToTable", texelToTable);
-  program->SetUniformf("in_Step", static_cast<float>(scene.Step));
   program->SetUniformf("in_EnoughOpacity", EnoughOpacity);
 }
 
@@ -238,9 +230,11 @@ void vtkOpenGLFlatBlockRayCaster::DrawBox(vtkOpenGLRenderWindow* window, bool mi
   const bool clampedBefore = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP);
 
-  this->Box.VAO->Bind();
+  // Without an array in it: made for this frame, so that no window has to take care of it.
+  vtkNew<vtkOpenGLVertexArrayObject> empty;
+  empty->Bind();
   glDrawArrays(GL_TRIANGLE_STRIP, 0, CubeStripVertices);
-  this->Box.VAO->Release();
+  empty->Release();
 
   if (!clampedBefore)
   {
@@ -251,7 +245,6 @@ void vtkOpenGLFlatBlockRayCaster::DrawBox(vtkOpenGLRenderWindow* window, bool mi
 
 void vtkOpenGLFlatBlockRayCaster::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Box.ReleaseGraphicsResources(window);
   this->TransferTexture->ReleaseGraphicsResources(window);
   this->SceneDepth->ReleaseGraphicsResources(window);
 }

@@ -10,7 +10,6 @@
 #include "TransferTable.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
-#include "vtkOpenGLHelper.h"
 
 class vtkMatrix4x4;
 class vtkOpenGLFlatBlockAtlas;
@@ -64,13 +63,11 @@ private:
   vtkOpenGLFlatBlockRayCaster(const vtkOpenGLFlatBlockRayCaster&) = delete;
   void operator=(const vtkOpenGLFlatBlockRayCaster&) = delete;
 
-  bool ReadyProgram(vtkOpenGLRenderWindow* window);
-  void SetGeometry(vtkRenderer* renderer, const Scene& scene);
-  void SetBlocks(const Scene& scene);
-  void SetClassification(const Scene& scene);
+  void SetGeometry(vtkShaderProgram* program, const Scene& scene, vtkMatrix4x4* sampleToClip);
+  void SetBlocks(vtkShaderProgram* program, const Scene& scene);
+  void SetClassification(vtkShaderProgram* program, const Scene& scene);
   void DrawBox(vtkOpenGLRenderWindow* window, bool mirrored);
 
-  vtkOpenGLHelper Box; // program and vertex array
   vtkNew<vtkTextureObject> TransferTexture;
   vtkNew<vtkOpenGLFlatBlockSceneDepth> SceneDepth;
   double TableLowest = 0.0;

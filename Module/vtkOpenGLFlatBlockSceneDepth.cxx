@@ -23,12 +23,30 @@ int GetDepthAttachment(unsigned int parameter)
   return value;
 }
 
-bool HasStencil()
+// One of vtkTextureObject's depth formats, or WithStencil.
+constexpr int WithStencil = -1;
+int GetDepthFormat()
 {
-  int bits = 0;
+  int stencilBits = 0;
   glGetFramebufferAttachmentParameteriv(
-    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE, &bits);
-  return bits > 0;
+    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE, &stencilBits);
+  if (stencilBits > 0)
+  {
+    return WithStencil;
+  }
+  if (GetDepthAttachment(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT)
+  {
+    return vtkTextureObject::Float32;
+  }
+  switch (GetDepthAttachment(GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE))
+  {
+  case 16:
+    return vtkTextureObject::Fixed16;
+  case 32:
+    return vtkTextureObject::Fixed32;
+  default:
+    return vtkTextureObject::Fixed24;
+  }
 }
 } // namespace
 
@@ -48,27 +66,23 @@ void vtkOpenGLFlatBlockSceneDepth::Capture(vtkRenderer* renderer)
 // Depth can only be blitted to a framebuffer of the same depth format.
 void vtkOpenGLFlatBlockSceneDepth::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 {
+  const int format = GetDepthFormat();
   if (this->Depth->GetHandle() != 0 && this->Depth->GetContext() == window &&
-      static_cast<int>(this->Depth->GetWidth()) == width &&
+      this->Format == format && static_cast<int>(this->Depth->GetWidth()) == width &&
       static_cast<int>(this->Depth->GetHeight()) == height)
   {
     return;
   }
   this->ReleaseGraphicsResources(window);
   this->Depth->SetContext(window);
-  const int bits = GetDepthAttachment(GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-  const bool isFloat = GetDepthAttachment(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
-  if (HasStencil())
+  this->Format = format;
+  if (format == WithStencil)
   {
     this->Depth->AllocateDepthStencil(width, height);
   }
   else
   {
-    this->Depth->AllocateDepth(width, height,
-      isFloat      ? vtkTextureObject::Float32
-      : bits == 16 ? vtkTextureObject::Fixed16
-      : bits == 32 ? vtkTextureObject::Fixed32
-                   : vtkTextureObject::Fixed24);
+    this->Depth->AllocateDepth(width, height, format);
   }
 }
 

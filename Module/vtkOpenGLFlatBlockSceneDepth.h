@@ -55,6 +55,7 @@ private:
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   int Origin[2] = { 0, 0 };
+  int Format = 0;
 };
 
 #endif

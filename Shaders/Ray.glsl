@@ -3,7 +3,7 @@
 
 uniform vec4 in_Eye;             // perspective: (-eye, 1); parallel: (direction of sight, 0)
 uniform vec3 in_LastSample;      // far corner of the box
-uniform mat3 in_SampleToDataSet; // directions to the data set's unit of length
+uniform mat3 in_SampleToSteps;   // directions in samples to lengths in steps of the ray
 uniform vec4 in_SampleToClipZ;   // rows of the matrix from samples to clip coordinates
 uniform vec4 in_SampleToClipW;
 uniform sampler2D in_SceneDepth; // of the opaque geometry, over the viewport
@@ -12,7 +12,7 @@ uniform ivec2 in_ViewportOrigin;
 in vec3 boxPosition;
 in vec2 boxClip; // z and w of boxPosition in clip coordinates
 
-// Position at distance t: origin + t * direction. The origin lies on the far side of the box, so
+// Position after t steps: origin + t * direction. The origin lies on the far side of the box, so
 // that distances stay small and exact however far the eye is.
 struct Ray
 {
@@ -32,7 +32,7 @@ vec3 withoutZeros(vec3 v)
 Ray rayThroughBox()
 {
   vec3 sight = boxPosition * in_Eye.w + in_Eye.xyz;
-  float sightLength = length(in_SampleToDataSet * sight);
+  float sightLength = length(in_SampleToSteps * sight);
 
   Ray ray;
   ray.origin = boxPosition;

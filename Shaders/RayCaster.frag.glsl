@@ -2,14 +2,13 @@
 //VTK::Output::Dec
 
 // One ray through the flat blocks. The fragment lies on a face of the box where rays leave it.
-// Positions are in sample coordinates; distances along the ray in the data set's own unit of
-// length, so that the step is the same in every direction whatever the spacing.
+// Positions are in sample coordinates; distances along the ray are counted in steps, which are
+// equally long in the data set's own unit of length, whatever the spacing and the direction.
 
 //FlatBlock::Ray
 //FlatBlock::Blocks
 
-uniform float in_Step;             // distance between two samples
-uniform float in_EnoughOpacity;    // a ray that has gathered this much ends
+uniform float in_EnoughOpacity;     // a ray that has gathered this much ends
 uniform sampler2D in_TransferTable; // colour, and opacity of one step
 uniform vec2 in_TexelToTable;      // scale and offset: atlas texel to table coordinate
 
@@ -26,20 +25,20 @@ vec4 classify(vec3 atlasPosition)
 // blocks they fall into: so block borders leave no trace.
 vec4 march(Ray ray)
 {
-  vec3 firstSample = ray.origin + (ray.begin + 0.5 * in_Step) * ray.direction;
-  float samples = ceil((ray.end - ray.begin) / in_Step - 0.5);
+  vec3 firstSample = ray.origin + (ray.begin + 0.5) * ray.direction;
+  float samples = ceil(ray.end - ray.begin - 0.5);
   BlockWalk walk = enterBlocks(ray);
   vec4 sum = vec4(0.0);
   float s = 0.0;
   while (s < samples)
   {
-    float samplesToBorder = ceil((distanceToBorder(walk) - ray.begin) / in_Step - 0.5);
+    float samplesToBorder = ceil(distanceToBorder(walk) - ray.begin - 0.5);
     float end = min(samplesToBorder, samples);
     Brick brick = fetchBrick(walk.block);
     if (brick.resident)
     {
       vec3 position = toAtlas(brick, firstSample);
-      vec3 advance = in_Step * ray.direction * in_AtlasTexel;
+      vec3 advance = ray.direction * in_AtlasTexel;
       for (; s < end && sum.a < in_EnoughOpacity; s += 1.0)
       {
         sum += (1.0 - sum.a) * classify(position + s * advance);

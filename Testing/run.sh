@@ -13,7 +13,7 @@ unpack_vtk91() {
   [ ! -f "$sdk/complete" ] || return 0
   echo "Unpacking VTK 9.1 ..."
   archives=$(mktemp -d)
-  (cd "$archives" && apt-get download -qq "${vtk91_packages[@]}" 2>/dev/null)
+  logged download env -C "$archives" apt-get download "${vtk91_packages[@]}"
   mkdir -p "$sdk"
   for deb in "$archives"/*.deb; do
     dpkg -x "$deb" "$sdk"

@@ -51,6 +51,24 @@ TEST(ScalarTypes, AllDrawTheSameField)
   }
 }
 
+TEST(ScalarTypes, SpacingMayBeOfAnySize)
+{
+  std::vector<vtkSmartPointer<vtkImageData>> pictures;
+  for (double spacing : { 1.0, 1e-12, 1e20 })
+  {
+    Scene scene;
+    const auto volume = MakeVolume({ 40, 30, 35 }, VTK_UNSIGNED_CHAR, Field);
+    volume->SetSpacing(spacing, spacing, spacing);
+    scene.SetVolume(volume, 0.0);
+    scene.SetRamp(5.0, 115.0, 0.2);
+    scene.Property->SetScalarOpacityUnitDistance(spacing);
+    scene.LookFrom(33.0, 21.0, 1.3);
+    pictures.push_back(scene.Draw());
+    EXPECT_TRUE(ShowsSomething(pictures.back())) << spacing;
+    EXPECT_GE(PSNR(pictures.back(), pictures.front()), 45.0) << spacing;
+  }
+}
+
 TEST(ScalarTypes, Bits)
 {
   const auto isSet = [](int x, int y, int z) { return (x / 8 + y / 8 + z / 8) % 2; };
@@ -82,6 +100,29 @@ TEST(ScalarTypes, ConstantVolumeEqualsTheClosedForm)
     const auto picture = scene.Draw();
     const double expected = 255.0 * (1.0 - std::pow(0.98, 40.0));
     EXPECT_NEAR(picture->GetScalarComponentAsDouble(128, 128, 0, 0), expected, 1.0);
+  }
+}
+
+// A value of exactly zero opacity stays invisible next to others, however far from the type's end.
+TEST(ScalarTypes, LabelsHaveNoHaze)
+{
+  for (const auto& [type, shift] : std::vector<std::pair<int, double>>{ { VTK_SHORT, 0.0 },
+         { VTK_UNSIGNED_SHORT, 65000.0 }, { VTK_UNSIGNED_CHAR, 0.0 }, { VTK_INT, 1e6 } })
+  {
+    Scene scene;
+    const auto isLabel = [](int x, int y, int z)
+    { return std::abs(x - 20) < 4 && std::abs(y - 20) < 4 && std::abs(z - 20) < 4; };
+    scene.SetVolume(MakeVolume({ 41, 41, 41 }, type,
+                      [&isLabel, shift = shift](int x, int y, int z)
+                      { return shift + (isLabel(x, y, z) ? 5.0 : 0.0); }),
+      0.5);
+    scene.SetOpacity({ { shift, 0.0 }, { shift + 1.0, 1.0 } });
+    scene.SetColor({ { shift, 1.0, 1.0, 1.0 } });
+    scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+    scene.LookFrom(0.0, 0.0);
+    const auto picture = scene.Draw();
+    EXPECT_EQ(picture->GetScalarComponentAsDouble(90, 90, 0, 0), 0.0) << shift;
+    EXPECT_EQ(picture->GetScalarComponentAsDouble(128, 128, 0, 0), 255.0) << shift;
   }
 }
 
@@ -121,6 +162,19 @@ TEST(ScalarTypes, ValuesThatAreNotFiniteDoNoHarm)
   scene.SetVolume(MakeVolume({ 40, 40, 40 }, VTK_FLOAT, Field), 0.5);
   const auto whole = scene.Draw();
   EXPECT_GE(PSNR(broken, whole), 30.0);
+
+  // What counts as the lowest value is drawn as such in every block.
+  scene.SetVolume(MakeVolume({ 65, 65, 65 }, VTK_FLOAT,
+                    [=](int x, int y, int z) { return x < 40 ? nan : Field(x, y, z); }),
+    0.5);
+  scene.SetOpacity({ { 0.0, 0.1 }, { 30.0, 0.0 } });
+  scene.LookFrom(33.0, 21.0);
+  scene.Mapper->SetBlockSize(65);
+  const auto oneBlock = scene.Draw();
+  EXPECT_TRUE(ShowsSomething(oneBlock));
+  scene.Mapper->SetBlockSize(17);
+  EXPECT_GE(PSNR(scene.Draw(), oneBlock), 55.0);
+  scene.SetRamp(5.0, 115.0, 0.2);
 
   scene.SetVolume(MakeVolume({ 20, 20, 20 }, VTK_DOUBLE, [=](int, int, int) { return nan; }), 0.5);
   EXPECT_FALSE(ShowsSomething(scene.Draw()));

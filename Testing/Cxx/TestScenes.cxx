@@ -4,6 +4,7 @@
 #include "Volumes.h"
 
 #include "vtkActor.h"
+#include "vtkCubeSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
@@ -121,6 +122,56 @@ TEST(Scenes, ParallelProjection)
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   scene.LookFrom(40.0, 30.0, 1.3);
   ExpectLikePeerAndBaseline(scene, "ParallelProjection");
+}
+
+// Sheared projections, and those of each eye: an opaque cube of voxels must lie where the same cube
+// of polygons lies. Not against the peer: vtkGPUVolumeRayCastMapper looks from between the eyes.
+TEST(Scenes, StereoAndShearAgreeWithGeometry)
+{
+  Scene scene;
+  const auto isCube = [](int x, int y, int z)
+  { return std::abs(x - 20) < 4 && std::abs(y - 20) < 4 && std::abs(z - 20) < 4 ? 1.0 : 0.0; };
+  scene.SetVolume(MakeVolume({ 41, 41, 41 }, VTK_UNSIGNED_CHAR, isCube), 0.02);
+  scene.SetOpacity({ { 0.0, 0.0 }, { 0.5, 0.0 }, { 1.0, 1.0 } });
+  scene.SetColor({ { 0.0, 1.0, 1.0, 1.0 } });
+  scene.Property->SetInterpolationTypeToNearest();
+  vtkNew<vtkCubeSource> cube;
+  cube->SetBounds(16.5, 23.5, 16.5, 23.5, 16.5, 23.5);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(cube->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  scene.Renderer->AddActor(actor);
+  scene.LookFrom(30.0, 30.0, 4.0);
+  scene.Window->StereoCapableWindowOn();
+  scene.Renderer->GetActiveCamera()->SetEyeAngle(15.0);
+
+  const auto expectAgreement = [&scene, &actor](const std::string& what)
+  {
+    actor->VisibilityOff();
+    scene.Volume->VisibilityOn();
+    const auto voxels = scene.Draw();
+    actor->VisibilityOn();
+    scene.Volume->VisibilityOff();
+    const double psnr = PSNR(voxels, scene.Draw());
+    std::cout << what << ": " << psnr << " dB to the polygons\n";
+    EXPECT_TRUE(ShowsSomething(voxels)) << what;
+    EXPECT_GE(psnr, 35.0) << what;
+  };
+  expectAgreement("one eye");
+  scene.Window->StereoRenderOn();
+  for (int type : { VTK_STEREO_LEFT, VTK_STEREO_RIGHT })
+  {
+    scene.Window->SetStereoType(type);
+    expectAgreement("stereo " + std::to_string(type));
+  }
+  scene.Window->StereoRenderOff();
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(10.0);
+  expectAgreement("parallel");
+  scene.Renderer->GetActiveCamera()->SetViewShear(0.3, -0.2, 1.0);
+  expectAgreement("sheared");
 }
 
 TEST(Scenes, NearestInterpolation)

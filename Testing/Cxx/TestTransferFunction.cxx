@@ -83,6 +83,23 @@ TEST(TransferFunction, EditingPointsInPlaceIsSeen)
   EXPECT_LT(PSNR(after, scene.Draw()), 40.0);
 }
 
+// So close that VTK's estimate of the table's size overflows.
+TEST(TransferFunction, StepsAreSharp)
+{
+  Scene scene;
+  scene.SetVolume(
+    MakeVolume({ 65, 33, 33 }, VTK_DOUBLE, [](int x, int, int) { return 1e5 * x / 64.0; }), 0.05);
+  scene.SetOpacity({ { 0.0, 0.0 }, { 5e4, 0.0 }, { 5e4 + 1e-5, 0.9 }, { 1e5, 0.9 } });
+  scene.SetColor({ { 0.0, 1.0, 1.0, 1.0 } });
+  scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.LookFrom(0.0, 0.0);
+  const auto picture = scene.Draw();
+  // A voxel is 6.6 pixels wide here: the edge lies between two neighbouring pixels.
+  EXPECT_EQ(picture->GetScalarComponentAsDouble(127, 128, 0, 0), 0.0);
+  EXPECT_GE(picture->GetScalarComponentAsDouble(129, 128, 0, 0), 250.0);
+}
+
 TEST(TransferFunction, OpacityDoesNotDependOnTheStep)
 {
   std::vector<vtkSmartPointer<vtkImageData>> pictures;

@@ -2,6 +2,15 @@
 #include "Rendering.h"
 #include "Volumes.h"
 
+#include "vtkActor.h"
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkSphereSource.h"
+
 #include <gtest/gtest.h>
 
 using namespace flatblock::testing;
@@ -76,6 +85,75 @@ TEST(Windows, OneVolumeInTwoWindowsAtOnce)
     first.Window->Render();
     EXPECT_EQ(LargestDifference(expected, Grab(first.Window)), 0.0);
   }
+}
+
+// The mapper is not in any renderer when its window goes.
+TEST(Windows, MapperOutlivesItsWindowUnnoticed)
+{
+  vtkNew<vtkFlatBlockVolumeMapper> mapper;
+  vtkSmartPointer<vtkImageData> before;
+  {
+    Scene first;
+    Prepare(first);
+    mapper->SetInputData(MarschnerLobb(48));
+    mapper->SetSampleDistance(first.Mapper->GetSampleDistance());
+    first.Volume->SetMapper(mapper);
+    first.Window->Render();
+    before = Grab(first.Window);
+    first.Volume->SetMapper(first.Mapper);
+    first.Window->Render();
+  }
+  Scene second;
+  Prepare(second);
+  second.Volume->SetMapper(mapper);
+  second.Window->Render();
+  EXPECT_TRUE(ShowsSomething(before));
+  EXPECT_EQ(LargestDifference(before, Grab(second.Window)), 0.0);
+}
+
+TEST(Windows, RemovalFromOneWindowLeavesTheOthersActors)
+{
+  Scene first;
+  Prepare(first);
+  Scene second;
+  Prepare(second);
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkPolyDataMapper> sphereMapper;
+  sphereMapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(sphereMapper);
+  second.Renderer->RemoveVolume(second.Volume);
+  second.Renderer->AddActor(actor);
+  second.Window->Render();
+  const auto alone = Grab(second.Window);
+  ASSERT_TRUE(ShowsSomething(alone));
+  second.Renderer->AddVolume(first.Volume);
+  second.Window->Render();
+  first.Window->Render();
+  second.Renderer->RemoveVolume(first.Volume);
+  second.Window->Render();
+  EXPECT_EQ(LargestDifference(alone, Grab(second.Window)), 0.0);
+}
+
+TEST(Windows, SelectionPassesThrough)
+{
+  Scene scene;
+  Prepare(scene);
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkPolyDataMapper> sphereMapper;
+  sphereMapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(sphereMapper);
+  scene.Renderer->AddActor(actor);
+  scene.Draw();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, 255, 255);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  vtkSmartPointer<vtkSelection> selection;
+  selection.TakeReference(selector->Select());
+  ASSERT_EQ(selection->GetNumberOfNodes(), 1U);
+  EXPECT_EQ(selection->GetNode(0)->GetProperties()->Get(vtkSelectionNode::PROP()), actor);
 }
 
 TEST(Windows, SizeMayChange)

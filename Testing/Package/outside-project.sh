@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Installs the build, then configures, builds and runs an outside project against it.
+# Also imports the installed Python package, and finds the package in the build tree.
 # outside-project.sh BUILD PROJECT CMAKE_ARGUMENT...
 set -euo pipefail
 build=$1
@@ -23,3 +24,11 @@ cmake --build "$work/build"
   --raw 20 20 20 uint8 --output "$work/half.png" --size 64 64 | tee "$work/table"
 grep -q '^dimensions  *20 x 20 x 20$' "$work/table"
 [ -s "$work/half.png" ]
+
+cmake -S "$work/outside" -B "$work/from-build-tree" "${@/#-DCMAKE_PREFIX_PATH=/-DCMAKE_PREFIX_PATH=$build;}"
+
+packages=$(dirname "$(find "$work/prefix" -type d -name flatblock -path '*python*')" || true)
+if [ "$packages" != . ]; then
+  PYTHONPATH=$packages:${PYTHONPATH:-} "${PYTHON:-python3}" -c \
+    'from flatblock import vtkFlatBlockVolumeMapper as m; assert m().GetBlockSize() == 33'
+fi

@@ -6,10 +6,10 @@ output=$(
   source "$(dirname "${BASH_SOURCE[0]}")/../Support/setup.sh"
   id() { echo 1000; }
   sudo() { return 1; }
-  dpkg-query() { [ "${*: -1}" = present ] && echo -n installed; }
+  dpkg-query() { [ "${*: -1}" = present ] && echo installed; }
   install_packages present first second
 )
 status=$?
 echo "$output"
 [ "$status" -eq 1 ] &&
-  grep -qx '  apt-get install -y --no-install-recommends first second' <<<"$output"
+  grep -qx '  apt-get update && apt-get install -y --no-install-recommends first second' <<<"$output"

@@ -21,8 +21,9 @@ logged() { # NAME COMMAND...
 missing_packages() { # PACKAGE...
   local package
   for package in "$@"; do
-    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)" = installed ] ||
+    if ! dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed; then
       echo "$package"
+    fi
   done
 }
 
@@ -35,8 +36,8 @@ install_packages() { # PACKAGE...
     if sudo -n true 2>/dev/null || { [ -t 0 ] && command -v sudo >/dev/null; }; then
       as_root=(sudo)
     else
-      printf 'Packages are missing, and there is no root or sudo to install them. Run, as root:\n  %s\n' \
-        "$command" >&2
+      printf '%s Run, as root:\n  apt-get update && %s\n' \
+        "Packages are missing, and there is no root or sudo to install them." "$command" >&2
       exit 1
     fi
   fi

@@ -38,17 +38,18 @@ TEST(BrickCopy, RepeatsTheLastSampleBeyondTheFarFaces)
 
 TEST(BrickCopy, KeepsIntegersOf8And16BitExact)
 {
-  const TexelEncoder<signed char, std::uint8_t> bytes;
+  const TexelEncoder<signed char, std::uint8_t> bytes{ -128.0 };
   for (int v = -128; v <= 127; ++v)
   {
     EXPECT_EQ(bytes(static_cast<signed char>(v)), v + 128);
   }
-  const TexelEncoder<short, std::uint16_t> shorts;
+  const TexelEncoder<short, std::uint16_t> shorts{ -32768.0 };
   for (int v = -32768; v <= 32767; ++v)
   {
     ASSERT_EQ(shorts(static_cast<short>(v)), v + 32768);
   }
   EXPECT_EQ((TexelEncoder<unsigned short, std::uint16_t>()(65535)), 65535);
+  EXPECT_EQ((TexelEncoder<unsigned short, std::uint16_t>{ 65000.0 }(65005)), 5);
 }
 
 TEST(BrickCopy, PutsOtherTypesOnFloatsOverTheRange)
