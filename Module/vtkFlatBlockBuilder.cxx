@@ -1,5 +1,6 @@
 #include "vtkFlatBlockBuilder.h"
 
+#include "BrickBorder.h"
 #include "BrickCopy.h"
 
 #include "vtkBitArray.h"
@@ -51,12 +52,16 @@ public:
   const flatblock::BlockGrid& GetGrid() const override { return this->Grid; }
   const flatblock::TexelEncoding& GetEncoding() const override { return this->Encoding; }
 
-  void ReadBrick(std::int64_t block, void* texels) const override
+  void ReadBrick(std::int64_t block, int level, const flatblock::BlockBorder& border,
+    void* texels) const override
   {
     const flatblock::TexelEncoder<T, TexelOf<T>> encode{ this->Encoding.Offset,
       this->Encoding.Scale };
+    const int side = this->Grid.GetBrickSide(level);
+    auto* brick = static_cast<TexelOf<T>*>(texels);
     flatblock::CopyBrick(this->Samples, this->Grid.GetSamples(), this->Grid.GetFirstSample(block),
-      this->Grid.GetSamplesPerBlock(), encode, static_cast<TexelOf<T>*>(texels));
+      side, 1 << level, encode, brick);
+    flatblock::BrickBorder<TexelOf<T>>(brick, side).Coarsen(border);
   }
 
 private:

@@ -1,12 +1,16 @@
 #include "vtkFlatBlockVolumeMapper.h"
 
 #include "FlatBlockVolumeInput.h"
+#include "LodSelector.h"
+#include "MemoryCounter.h"
 #include "vtkFlatBlockBuilder.h"
 #include "vtkFlatBlockTransferFunction.h"
 #include "vtkOpenGLFlatBlockAtlas.h"
 #include "vtkOpenGLFlatBlockRayCaster.h"
+#include "vtkOpenGLFlatBlockSceneDepth.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
@@ -30,9 +34,18 @@ vtkStandardNewMacro(vtkFlatBlockVolumeMapper);
 // The stages, in the order in which data flows through them.
 struct vtkFlatBlockVolumeMapper::vtkInternals
 {
+  vtkInternals()
+  {
+    this->Atlas->SetMemoryCounter(&this->Memory);
+    this->RayCaster->SetMemoryCounter(&this->Memory);
+  }
+
+  flatblock::MemoryCounter Memory; // outlives those who count in it
   vtkNew<vtkFlatBlockBuilder> Builder;
   vtkNew<vtkFlatBlockTransferFunction> TransferFunction;
   std::vector<std::uint8_t> VisibleBlocks;
+  flatblock::AtlasShape Shape;
+  std::vector<std::int8_t> Levels;
   flatblock::Residency Residency;
   vtkNew<vtkOpenGLFlatBlockAtlas> Atlas;
   vtkNew<vtkOpenGLFlatBlockRayCaster> RayCaster;
@@ -78,6 +91,7 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
   in.UploadedBytes = 0;
+  in.Memory.ResetPeak();
   if (renderer->GetSelector())
   {
     return; // a volume's colours are no ids of props or cells
@@ -143,7 +157,7 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   this->WarnAboutIgnoredSettings(volume);
   this->UpdateBlocks();
   this->UpdateTransferTable(volume);
-  this->UpdateAtlas();
+  this->UpdateAtlas(renderer, volume);
 
   vtkOpenGLFlatBlockRayCaster::Scene scene;
   scene.Source = &in.Builder->GetSource();
@@ -168,14 +182,13 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
   }
 }
 
-// The table in main memory, the blocks that it shows, and the table's texture.
+// The table, and the blocks that it shows.
 void vtkFlatBlockVolumeMapper::UpdateTransferTable(vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
   in.TransferFunction->Update(volume->GetProperty(), in.Builder->GetRange(), this->GetStep());
   const flatblock::TransferTable& table = in.TransferFunction->GetTable();
-  const vtkMTimeType tableTime = in.TransferFunction->GetMTime();
-  if (std::max(tableTime, in.Builder->GetMTime()) > in.VisibleBlocksTime)
+  if (std::max(in.TransferFunction->GetMTime(), in.Builder->GetMTime()) > in.VisibleBlocksTime)
   {
     const auto& ranges = in.Builder->GetBlockRanges();
     in.VisibleBlocks.resize(ranges.size());
@@ -184,30 +197,94 @@ void vtkFlatBlockVolumeMapper::UpdateTransferTable(vtkVolume* volume)
       { return !table.IsTransparent(range.Lowest, range.Highest); });
     in.VisibleBlocksTime.Modified();
   }
-  if (!in.RayCaster->HasTransferTable() || tableTime > in.TransferTextureTime)
-  {
-    in.RayCaster->SetTransferTable(in.Window, table);
-    in.TransferTextureTime.Modified();
-  }
 }
 
-void vtkFlatBlockVolumeMapper::UpdateAtlas()
+// The largest atlas that leaves room for everything else.
+flatblock::AtlasShape vtkFlatBlockVolumeMapper::FindShape(vtkRenderer* renderer) const
+{
+  const vtkInternals& in = *this->Internals;
+  const flatblock::BrickSource& source = in.Builder->GetSource();
+  const flatblock::BlockGrid& grid = source.GetGrid();
+  std::vector<int> sides(grid.GetNumberOfLevels());
+  for (int level = 0; level < static_cast<int>(sides.size()); ++level)
+  {
+    sides[level] = grid.GetBrickSide(level);
+  }
+  const vtkTypeInt64 bytes = this->MaxMemoryInBytes - this->GetBytesBesideAtlas(renderer);
+  const auto texel =
+    static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(source.GetEncoding().Format));
+  return flatblock::AtlasShape(sides, std::max<vtkTypeInt64>(bytes, 0) / texel,
+    this->GetNumberOfVisibleBlocks(), vtkOpenGLFlatBlockAtlas::GetLargestTexture(in.Window));
+}
+
+vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer) const
+{
+  const vtkInternals& in = *this->Internals;
+  const int* size = renderer->GetSize();
+  const auto table =
+    in.TransferFunction->GetTable().GetEntries().size() * sizeof(flatblock::TransferTable::Entry);
+  return vtkOpenGLFlatBlockAtlas::GetIndexBytes(this->GetNumberOfBlocks()) +
+         vtkOpenGLFlatBlockSceneDepth::GetBytes(size[0], size[1]) +
+         static_cast<vtkTypeInt64>(table);
+}
+
+void vtkFlatBlockVolumeMapper::SelectLevels(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkInternals& in = *this->Internals;
+  const flatblock::BlockGrid& grid = in.Builder->GetSource().GetGrid();
+  flatblock::LodCriteria criteria;
+  criteria.NumberOfLevels = this->NumberOfLevels;
+
+  vtkNew<vtkMatrix4x4> sampleToWorld;
+  vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), in.Input.SampleToDataSet, sampleToWorld);
+  double world[4] = { 0.0, 0.0, 0.0, 1.0 };
+  const double* point = this->UseCameraAsPointOfInterest
+                          ? renderer->GetActiveCamera()->GetPosition()
+                          : this->PointOfInterest;
+  std::copy(point, point + 3, world);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    criteria.Spacing[axis] = std::hypot(sampleToWorld->GetElement(0, axis),
+      sampleToWorld->GetElement(1, axis), sampleToWorld->GetElement(2, axis));
+  }
+  sampleToWorld->Invert();
+  double samples[4];
+  sampleToWorld->MultiplyPoint(world, samples);
+  std::copy(samples, samples + 3, criteria.PointOfInterest.begin());
+
+  in.Shape = this->FindShape(renderer);
+  const auto levels = flatblock::SelectLevels(grid, in.Shape, in.VisibleBlocks, criteria);
+  if (!levels)
+  {
+    std::vector<std::int64_t> coarsest(in.Shape.GetNumberOfLevels(), 0);
+    coarsest.back() = this->GetNumberOfVisibleBlocks();
+    const vtkTypeInt64 texels =
+      in.Shape.GetDepthOf(coarsest) * in.Shape.GetWidth() * in.Shape.GetHeight();
+    const vtkTypeInt64 needed = this->GetBytesBesideAtlas(renderer) +
+                                texels * static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(
+                                           in.Builder->GetSource().GetEncoding().Format));
+    throw std::runtime_error("MaxMemoryInBytes is " + std::to_string(this->MaxMemoryInBytes) +
+                             ", but " + std::to_string(needed) + " bytes are needed for the " +
+                             std::to_string(this->GetNumberOfVisibleBlocks()) +
+                             " visible blocks at their coarsest level.");
+  }
+  in.Levels = *levels;
+}
+
+void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
   if (!in.Atlas->IsAllocated())
   {
     in.Residency.Clear();
   }
-  const int largest = vtkOpenGLFlatBlockAtlas::GetLargestTexture(in.Window);
-  const auto plan = in.Residency.Plan(in.VisibleBlocks, this->BlockSize, largest);
-  if (!plan)
-  {
-    throw std::runtime_error(
-      "The visible blocks, " + std::to_string(this->GetNumberOfVisibleBlocks()) + " bricks of " +
-      std::to_string(this->BlockSize) + "^3 samples, don't fit the largest 3D texture of this " +
-      "OpenGL driver, " + std::to_string(largest) + " texels a side.");
-  }
-  if (!in.Atlas->Execute(in.Window, *plan, in.Residency, in.Builder->GetSource()))
+  const flatblock::TransferTable& table = in.TransferFunction->GetTable();
+  in.RayCaster->ReleaseStale(renderer, table);
+  this->SelectLevels(renderer, volume);
+  const flatblock::BrickSource& source = in.Builder->GetSource();
+  const flatblock::FramePlan plan =
+    in.Residency.Plan(source.GetGrid(), in.Levels, in.Shape, this->InterblockContinuity);
+  if (!in.Atlas->Execute(in.Window, plan, in.Residency, source))
   {
     const flatblock::Index3 size = in.Residency.GetAtlas().GetTextureSize();
     throw std::runtime_error("The graphics card has no memory for an atlas of " +
@@ -215,6 +292,11 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas()
                              std::to_string(size[2]) + " texels.");
   }
   in.UploadedBytes = in.Atlas->GetUploadedBytes();
+  if (!in.RayCaster->HasTransferTable() || in.TransferFunction->GetMTime() > in.TransferTextureTime)
+  {
+    in.RayCaster->SetTransferTable(in.Window, table);
+    in.TransferTextureTime.Modified();
+  }
 }
 
 // A float has 24 bits: with more samples a ray, neighbours could fall together.
@@ -271,6 +353,22 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetNumberOfVisibleBlocks() const
   return std::count_if(visible.begin(), visible.end(), [](std::uint8_t v) { return v != 0; });
 }
 
+vtkTypeInt64 vtkFlatBlockVolumeMapper::GetNumberOfBricks(int level) const
+{
+  const auto& levels = this->Internals->Residency.GetLevels();
+  return std::count(levels.begin(), levels.end(), static_cast<std::int8_t>(level));
+}
+
+vtkTypeInt64 vtkFlatBlockVolumeMapper::GetMemoryInBytes() const
+{
+  return this->Internals->Memory.GetBytes();
+}
+
+vtkTypeInt64 vtkFlatBlockVolumeMapper::GetPeakMemoryInBytes() const
+{
+  return this->Internals->Memory.GetPeak();
+}
+
 vtkTypeInt64 vtkFlatBlockVolumeMapper::GetAtlasBytes() const
 {
   return this->Internals->Atlas->GetBytes();
@@ -286,6 +384,13 @@ void vtkFlatBlockVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BlockSize: " << this->BlockSize << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
+  os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
+  os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
+  os << indent << "PointOfInterest: " << this->PointOfInterest[0] << " " << this->PointOfInterest[1]
+     << " " << this->PointOfInterest[2] << "\n";
+  os << indent << "UseCameraAsPointOfInterest: " << this->UseCameraAsPointOfInterest << "\n";
+  os << indent << "InterblockContinuity: " << this->InterblockContinuity << "\n";
+  os << indent << "MemoryInBytes: " << this->GetMemoryInBytes() << "\n";
   os << indent << "NumberOfBlocks: " << this->GetNumberOfBlocks() << "\n";
   os << indent << "NumberOfVisibleBlocks: " << this->GetNumberOfVisibleBlocks() << "\n";
   os << indent << "AtlasBytes: " << this->GetAtlasBytes() << "\n";

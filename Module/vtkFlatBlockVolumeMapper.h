@@ -7,6 +7,9 @@
  * the bricks of all others lie packed in one 3D texture, the atlas. One box is drawn, and each ray
  * walks from block to block.
  *
+ * Within MaxMemoryInBytes each block has its own level of detail: level l is made of one sample in
+ * 2^l along each axis. Blocks near the point of interest are refined first.
+ *
  * Input: vtkImageData, point data, one component, at least two samples along each axis. Integers of
  * 8 and 16 bit are kept as they are. All other types become 32-bit floats over the data's own
  * range: a value is off by at most 2^-24 of that range; NaN counts as the lowest value, and
@@ -29,6 +32,11 @@
 #include "vtkVolumeMapper.h"
 
 #include <memory> // for the internals
+
+namespace flatblock
+{
+class AtlasShape;
+}
 
 class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockVolumeMapper : public vtkVolumeMapper
 {
@@ -60,11 +68,57 @@ public:
 
   ///@{
   /**
-   * What the last frame was made of: blocks of the volume; blocks that are not transparent; bytes
-   * of the atlas on the graphics card; bytes of bricks sent to it for that frame.
+   * Bytes on the graphics card that are never exceeded, by atlas, index texture, tables and the
+   * copy of the scene's depth together. Default: 256 MiB. Where the visible blocks don't fit at
+   * their finest level, those far from the point of interest are drawn coarser.
+   */
+  vtkSetClampMacro(MaxMemoryInBytes, vtkTypeInt64, 1, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(MaxMemoryInBytes, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /**
+   * Levels of detail that a block may have: 1 (finest only) to 7. Default: 4. Coarser levels than
+   * these are added where not even the coarsest of them fits MaxMemoryInBytes.
+   */
+  vtkSetClampMacro(NumberOfLevels, int, 1, 7);
+  vtkGetMacro(NumberOfLevels, int);
+  ///@}
+
+  ///@{
+  /**
+   * Where detail matters most, in world coordinates; and whether that is the camera (default on)
+   * whatever is set.
+   */
+  vtkSetVector3Macro(PointOfInterest, double);
+  vtkGetVector3Macro(PointOfInterest, double);
+  vtkSetMacro(UseCameraAsPointOfInterest, bool);
+  vtkGetMacro(UseCameraAsPointOfInterest, bool);
+  vtkBooleanMacro(UseCameraAsPointOfInterest, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether blocks take over the borders of coarser neighbours, so that levels meet without a
+   * crack. Default: on.
+   */
+  vtkSetMacro(InterblockContinuity, bool);
+  vtkGetMacro(InterblockContinuity, bool);
+  vtkBooleanMacro(InterblockContinuity, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What the last frame was made of: blocks of the volume; blocks that are not transparent; those
+   * drawn at a level of detail; bytes on the graphics card, counted where they are allocated: in
+   * all, the most at any time of the frame, and of the atlas; bytes of bricks sent to it for that
+   * frame.
    */
   vtkTypeInt64 GetNumberOfBlocks() const;
   vtkTypeInt64 GetNumberOfVisibleBlocks() const;
+  vtkTypeInt64 GetNumberOfBricks(int level) const;
+  vtkTypeInt64 GetMemoryInBytes() const;
+  vtkTypeInt64 GetPeakMemoryInBytes() const;
   vtkTypeInt64 GetAtlasBytes() const;
   vtkTypeInt64 GetUploadedBytes() const;
   ///@}
@@ -101,12 +155,20 @@ private:
   void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);
   void UpdateBlocks();
   void UpdateTransferTable(vtkVolume* volume);
-  void UpdateAtlas();
+  void UpdateAtlas(vtkRenderer* renderer, vtkVolume* volume);
+  flatblock::AtlasShape FindShape(vtkRenderer* renderer) const;
+  vtkTypeInt64 GetBytesBesideAtlas(vtkRenderer* renderer) const;
+  void SelectLevels(vtkRenderer* renderer, vtkVolume* volume);
   double GetStep() const;
   void WarnAboutIgnoredSettings(vtkVolume* volume);
 
   int BlockSize = 33;
   double SampleDistance = 0.0;
+  vtkTypeInt64 MaxMemoryInBytes = vtkTypeInt64(256) << 20;
+  int NumberOfLevels = 4;
+  double PointOfInterest[3] = { 0.0, 0.0, 0.0 };
+  bool UseCameraAsPointOfInterest = true;
+  bool InterblockContinuity = true;
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -16,6 +16,7 @@ namespace
 {
 constexpr std::size_t StagingBytes = std::size_t(16) << 20;
 constexpr int IndexWidth = 4096;
+constexpr std::uint16_t NotResident = 0xffff;
 
 struct GLFormat
 {
@@ -48,11 +49,24 @@ void ClearGLErrors()
 vtkOpenGLFlatBlockAtlas::vtkOpenGLFlatBlockAtlas() = default;
 vtkOpenGLFlatBlockAtlas::~vtkOpenGLFlatBlockAtlas() = default;
 
+void vtkOpenGLFlatBlockAtlas::SetMemoryCounter(flatblock::MemoryCounter* counter)
+{
+  this->BrickBytes.SetCounter(counter);
+  this->IndexBytes.SetCounter(counter);
+}
+
 int vtkOpenGLFlatBlockAtlas::GetLargestTexture(vtkOpenGLRenderWindow* window)
 {
   int largest = 0;
   window->GetState()->vtkglGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
   return largest;
+}
+
+vtkTypeInt64 vtkOpenGLFlatBlockAtlas::GetIndexBytes(vtkTypeInt64 blocks)
+{
+  const vtkTypeInt64 width = std::min<vtkTypeInt64>(blocks, IndexWidth);
+  return 4 * static_cast<vtkTypeInt64>(sizeof(std::uint16_t)) * width *
+         ((blocks + width - 1) / width);
 }
 
 bool vtkOpenGLFlatBlockAtlas::Execute(vtkOpenGLRenderWindow* window,
@@ -91,26 +105,27 @@ bool vtkOpenGLFlatBlockAtlas::Allocate(
     ClearGLErrors();
     return false;
   }
-  this->Bytes =
-    static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(format)) * size[0] * size[1] * size[2];
+  this->BrickBytes.Set(
+    static_cast<std::int64_t>(flatblock::BytesPerTexel(format)) * size[0] * size[1] * size[2]);
   return true;
 }
 
 bool vtkOpenGLFlatBlockAtlas::WriteIndex(
   vtkOpenGLRenderWindow* window, const flatblock::Residency& residency)
 {
-  const std::vector<int>& places = residency.GetPlaces();
+  const std::vector<flatblock::BrickPlace>& places = residency.GetPlaces();
   const int width = static_cast<int>(std::min<std::size_t>(places.size(), IndexWidth));
   const int height = static_cast<int>((places.size() - 1) / width + 1);
   std::vector<std::uint16_t> texels(std::size_t(4) * width * height, 0);
   for (std::size_t block = 0; block < places.size(); ++block)
   {
     std::uint16_t* texel = &texels[4 * block];
-    texel[3] = places[block] == flatblock::Residency::NotResident ? 1 : 0;
-    if (texel[3] == 0)
+    texel[3] = NotResident;
+    if (places[block].IsResident())
     {
       const flatblock::Index3 origin = residency.GetAtlas().GetOrigin(places[block]);
       std::copy(origin.begin(), origin.end(), texel);
+      texel[3] = static_cast<std::uint16_t>(residency.GetLevels()[block]);
     }
   }
   this->BlockIndex->SetContext(window);
@@ -121,6 +136,7 @@ bool vtkOpenGLFlatBlockAtlas::WriteIndex(
   const bool created =
     this->BlockIndex->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_SHORT, texels.data());
   const bool failed = glGetError() != GL_NO_ERROR;
+  this->IndexBytes.Set(GetIndexBytes(static_cast<vtkTypeInt64>(places.size())));
   ClearGLErrors();
   return created && !failed;
 }
@@ -133,33 +149,46 @@ void vtkOpenGLFlatBlockAtlas::Upload(const std::vector<flatblock::BrickUpload>& 
     return;
   }
   const flatblock::TexelFormat format = source.GetEncoding().Format;
-  const int side = source.GetGrid().GetSamplesPerBlock();
-  const std::size_t brickBytes = flatblock::BytesPerTexel(format) * side * side * side;
-  const auto batch = static_cast<std::int64_t>(std::max<std::size_t>(StagingBytes / brickBytes, 1));
-  const auto count = static_cast<std::int64_t>(uploads.size());
-  std::vector<std::uint8_t> staging(brickBytes * std::min(batch, count));
-
+  const flatblock::BlockGrid& grid = source.GetGrid();
+  const auto bytesOf = [&grid, format](const flatblock::BrickUpload& upload)
+  {
+    const std::size_t side = grid.GetBrickSide(upload.Level);
+    return flatblock::BytesPerTexel(format) * side * side * side;
+  };
   this->Bricks->Activate();
   vtkOpenGLState* state = this->Bricks->GetContext()->GetState();
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  for (std::int64_t first = 0; first < count; first += batch)
+  std::vector<std::uint8_t> staging;
+  std::vector<std::size_t> offsets;
+  for (std::size_t first = 0; first < uploads.size(); first += offsets.size())
   {
-    const std::int64_t last = std::min(first + batch, count);
+    offsets.clear();
+    std::size_t bytes = 0;
+    for (std::size_t i = first; i < uploads.size() && (i == first || bytes < StagingBytes); ++i)
+    {
+      offsets.push_back(bytes);
+      bytes += bytesOf(uploads[i]);
+    }
+    staging.resize(std::max(staging.size(), bytes));
+    const auto count = static_cast<std::int64_t>(offsets.size());
 #pragma omp parallel for schedule(dynamic)
-    for (std::int64_t i = first; i < last; ++i)
+    for (std::int64_t i = 0; i < count; ++i)
     {
-      source.ReadBrick(uploads[i].Block, &staging[(i - first) * brickBytes]);
+      const flatblock::BrickUpload& upload = uploads[first + i];
+      source.ReadBrick(upload.Block, upload.Level, upload.Border, &staging[offsets[i]]);
     }
-    for (std::int64_t i = first; i < last; ++i)
+    for (std::int64_t i = 0; i < count; ++i)
     {
-      const flatblock::Index3 origin = places.GetOrigin(uploads[i].Place);
+      const flatblock::BrickUpload& upload = uploads[first + i];
+      const flatblock::Index3 origin = places.GetOrigin(upload.Place);
+      const int side = grid.GetBrickSide(upload.Level);
       glTexSubImage3D(GL_TEXTURE_3D, 0, origin[0], origin[1], origin[2], side, side, side, GL_RED,
-        GetGLFormat(format).Type, &staging[(i - first) * brickBytes]);
+        GetGLFormat(format).Type, &staging[offsets[i]]);
     }
+    this->UploadedBytes += static_cast<vtkTypeInt64>(bytes);
   }
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   this->Bricks->Deactivate();
-  this->UploadedBytes = static_cast<vtkTypeInt64>(brickBytes) * count;
 }
 
 bool vtkOpenGLFlatBlockAtlas::IsAllocated() const
@@ -171,13 +200,14 @@ void vtkOpenGLFlatBlockAtlas::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Bricks->ReleaseGraphicsResources(window);
   this->BlockIndex->ReleaseGraphicsResources(window);
-  this->Bytes = 0;
+  this->BrickBytes.Set(0);
+  this->IndexBytes.Set(0);
   this->UploadedBytes = 0;
 }
 
 void vtkOpenGLFlatBlockAtlas::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Bytes: " << this->Bytes << "\n";
+  os << indent << "Bytes: " << this->GetBytes() << "\n";
   os << indent << "UploadedBytes: " << this->UploadedBytes << "\n";
 }

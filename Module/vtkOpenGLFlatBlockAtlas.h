@@ -3,7 +3,7 @@
  * @brief   the 3D texture that holds the bricks, and the index texture that says where
  *
  * The index texture has one RGBA16UI texel a block, folded into rows: xyz the brick's first texel,
- * w 0 where the brick is resident and 1 where the block is transparent.
+ * w its level, or 65535 where the block is transparent.
  */
 
 #ifndef vtkOpenGLFlatBlockAtlas_h
@@ -11,6 +11,7 @@
 
 #include "BrickSource.h"
 #include "FramePlan.h"
+#include "MemoryCounter.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
 
@@ -26,6 +27,11 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
+   * Counts what is allocated from now on.
+   */
+  void SetMemoryCounter(flatblock::MemoryCounter* counter);
+
+  /**
    * Texels a side of the largest 3D texture of the window's driver.
    */
   static int GetLargestTexture(vtkOpenGLRenderWindow* window);
@@ -38,6 +44,11 @@ public:
     const flatblock::Residency& residency, const flatblock::BrickSource& source);
 
   /**
+   * Bytes of the index texture of so many blocks.
+   */
+  static vtkTypeInt64 GetIndexBytes(vtkTypeInt64 blocks);
+
+  /**
    * Whether the textures are still there; a window that went away took them along.
    */
   bool IsAllocated() const;
@@ -48,7 +59,7 @@ public:
   /**
    * Bytes of the 3D texture, and bytes of bricks that the last Execute() uploaded.
    */
-  vtkGetMacro(Bytes, vtkTypeInt64);
+  vtkTypeInt64 GetBytes() const { return this->BrickBytes.Get(); }
   vtkGetMacro(UploadedBytes, vtkTypeInt64);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -69,7 +80,8 @@ private:
 
   vtkNew<vtkTextureObject> Bricks;
   vtkNew<vtkTextureObject> BlockIndex;
-  vtkTypeInt64 Bytes = 0;
+  flatblock::CountedBytes BrickBytes;
+  flatblock::CountedBytes IndexBytes;
   vtkTypeInt64 UploadedBytes = 0;
 };
 

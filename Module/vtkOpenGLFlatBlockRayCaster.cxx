@@ -105,6 +105,23 @@ std::array<float, 3> ToFloats(const flatblock::Index3& index, int offset)
 vtkOpenGLFlatBlockRayCaster::vtkOpenGLFlatBlockRayCaster() = default;
 vtkOpenGLFlatBlockRayCaster::~vtkOpenGLFlatBlockRayCaster() = default;
 
+void vtkOpenGLFlatBlockRayCaster::SetMemoryCounter(flatblock::MemoryCounter* counter)
+{
+  this->TableBytes.SetCounter(counter);
+  this->SceneDepth->SetMemoryCounter(counter);
+}
+
+void vtkOpenGLFlatBlockRayCaster::ReleaseStale(
+  vtkRenderer* renderer, const flatblock::TransferTable& table)
+{
+  this->SceneDepth->ReleaseIfStale(renderer);
+  if (this->TransferTexture->GetWidth() != table.GetEntries().size())
+  {
+    this->TransferTexture->ReleaseGraphicsResources(renderer->GetRenderWindow());
+    this->TableBytes.Set(0);
+  }
+}
+
 void vtkOpenGLFlatBlockRayCaster::SetTransferTable(
   vtkOpenGLRenderWindow* window, const flatblock::TransferTable& table)
 {
@@ -117,6 +134,7 @@ void vtkOpenGLFlatBlockRayCaster::SetTransferTable(
   this->TransferTexture->SetMagnificationFilter(vtkTextureObject::Linear);
   this->TransferTexture->Create2DFromRaw(static_cast<unsigned int>(entries.size()), 1, 4, VTK_FLOAT,
     const_cast<flatblock::TransferTable::Entry*>(entries.data()));
+  this->TableBytes.Set(static_cast<std::int64_t>(entries.size() * sizeof(entries[0])));
   this->TableLowest = table.GetLowest();
   this->TableHighest = table.GetHighest();
 }
@@ -246,6 +264,7 @@ void vtkOpenGLFlatBlockRayCaster::DrawBox(vtkOpenGLRenderWindow* window, bool mi
 void vtkOpenGLFlatBlockRayCaster::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->TransferTexture->ReleaseGraphicsResources(window);
+  this->TableBytes.Set(0);
   this->SceneDepth->ReleaseGraphicsResources(window);
 }
 

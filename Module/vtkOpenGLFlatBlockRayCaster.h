@@ -7,6 +7,7 @@
 #define vtkOpenGLFlatBlockRayCaster_h
 
 #include "BrickSource.h"
+#include "MemoryCounter.h"
 #include "TransferTable.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
@@ -41,6 +42,16 @@ public:
   };
 
   /**
+   * Counts what is allocated from now on.
+   */
+  void SetMemoryCounter(flatblock::MemoryCounter* counter);
+
+  /**
+   * Releases what the next Draw() will allocate in another size, so that its memory is free before.
+   */
+  void ReleaseStale(vtkRenderer* renderer, const flatblock::TransferTable& table);
+
+  /**
    * Sends a transfer function to the graphics card, where Draw() finds it.
    */
   void SetTransferTable(vtkOpenGLRenderWindow* window, const flatblock::TransferTable& table);
@@ -70,6 +81,7 @@ private:
 
   vtkNew<vtkTextureObject> TransferTexture;
   vtkNew<vtkOpenGLFlatBlockSceneDepth> SceneDepth;
+  flatblock::CountedBytes TableBytes;
   double TableLowest = 0.0;
   double TableHighest = 0.0;
 };

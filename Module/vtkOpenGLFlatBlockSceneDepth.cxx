@@ -76,6 +76,7 @@ void vtkOpenGLFlatBlockSceneDepth::Allocate(vtkOpenGLRenderWindow* window, int w
   this->ReleaseGraphicsResources(window);
   this->Depth->SetContext(window);
   this->Format = format;
+  this->Bytes.Set(GetBytes(width, height));
   if (format == WithStencil)
   {
     this->Depth->AllocateDepthStencil(width, height);
@@ -83,6 +84,18 @@ void vtkOpenGLFlatBlockSceneDepth::Allocate(vtkOpenGLRenderWindow* window, int w
   else
   {
     this->Depth->AllocateDepth(width, height, format);
+  }
+}
+
+void vtkOpenGLFlatBlockSceneDepth::ReleaseIfStale(vtkRenderer* renderer)
+{
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  if (static_cast<int>(this->Depth->GetWidth()) != size[0] ||
+      static_cast<int>(this->Depth->GetHeight()) != size[1])
+  {
+    this->ReleaseGraphicsResources(renderer->GetRenderWindow());
   }
 }
 
@@ -107,6 +120,7 @@ void vtkOpenGLFlatBlockSceneDepth::Blit(vtkOpenGLRenderWindow* window, int width
 void vtkOpenGLFlatBlockSceneDepth::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Depth->ReleaseGraphicsResources(window);
+  this->Bytes.Set(0);
   this->Framebuffer->ReleaseGraphicsResources(window);
 }
 

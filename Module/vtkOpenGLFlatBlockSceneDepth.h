@@ -8,6 +8,7 @@
 #ifndef vtkOpenGLFlatBlockSceneDepth_h
 #define vtkOpenGLFlatBlockSceneDepth_h
 
+#include "MemoryCounter.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
 
@@ -25,6 +26,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
+   * Counts what is allocated from now on.
+   */
+  void SetMemoryCounter(flatblock::MemoryCounter* counter) { this->Bytes.SetCounter(counter); }
+
+  /**
+   * Releases the texture if it is not of the size of the renderer's viewport.
+   */
+  void ReleaseIfStale(vtkRenderer* renderer);
+
+  /**
    * Copies the depth of the renderer's viewport.
    */
   void Capture(vtkRenderer* renderer);
@@ -38,6 +49,11 @@ public:
    * The viewport's lower left pixel in the window.
    */
   vtkGetVector2Macro(Origin, int);
+
+  /**
+   * Bytes of the texture of such a viewport, at most.
+   */
+  static vtkTypeInt64 GetBytes(int width, int height) { return vtkTypeInt64(4) * width * height; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -56,6 +72,7 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   int Origin[2] = { 0, 0 };
   int Format = 0;
+  flatblock::CountedBytes Bytes;
 };
 
 #endif

@@ -1,10 +1,12 @@
 // The walk from block to block, and where a block's brick lies in the atlas.
 
 uniform sampler3D in_Atlas;
-uniform usampler2D in_BlockIndex; // xyz: first texel of the brick, w: 0 if the brick is resident
+uniform usampler2D in_BlockIndex; // xyz: first texel of the brick, w: its level, or NotResident
 uniform int in_Blocks[3];         // blocks an axis
 uniform int in_CellsPerBlock;
 uniform vec3 in_AtlasTexel;       // 1 / texels an axis
+
+const uint NotResident = 65535u;
 
 struct BlockWalk
 {
@@ -19,6 +21,7 @@ struct Brick
   bool resident;
   vec3 origin; // first texel
   vec3 first;  // first sample
+  float scale; // texels a sample
 };
 
 ivec3 blocksAnAxis()
@@ -60,13 +63,14 @@ Brick fetchBrick(ivec3 block)
   int width = textureSize(in_BlockIndex, 0).x;
   uvec4 entry = texelFetch(in_BlockIndex, ivec2(number % width, number / width), 0);
   Brick brick;
-  brick.resident = entry.w == 0u;
+  brick.resident = entry.w != NotResident;
   brick.origin = vec3(entry.xyz);
   brick.first = vec3(block * in_CellsPerBlock);
+  brick.scale = exp2(-float(entry.w));
   return brick;
 }
 
 vec3 toAtlas(Brick brick, vec3 position)
 {
-  return (brick.origin + (position - brick.first) + 0.5) * in_AtlasTexel;
+  return (brick.origin + (position - brick.first) * brick.scale + 0.5) * in_AtlasTexel;
 }

@@ -38,7 +38,7 @@ vec4 march(Ray ray)
     if (brick.resident)
     {
       vec3 position = toAtlas(brick, firstSample);
-      vec3 advance = ray.direction * in_AtlasTexel;
+      vec3 advance = ray.direction * brick.scale * in_AtlasTexel;
       for (; s < end && sum.a < in_EnoughOpacity; s += 1.0)
       {
         sum += (1.0 - sum.a) * classify(position + s * advance);

@@ -49,6 +49,7 @@ void SetUp(Viewer& viewer, const Options& options)
   viewer.Renderer->GradientBackgroundOn();
   viewer.Mapper->SetBlockSize(options.BlockSize);
   viewer.Mapper->SetSampleDistance(options.SampleDistance);
+  viewer.Mapper->SetMaxMemoryInBytes(static_cast<vtkTypeInt64>(options.MemoryMiB * MiB));
   viewer.Volume->SetMapper(viewer.Mapper);
   viewer.Volume->SetProperty(viewer.Property);
   viewer.Window->Render(); // the window's own start is not the mapper's time
@@ -128,14 +129,21 @@ void PrintMapper(const Viewer& viewer)
 {
   PrintRow("blocks", std::to_string(viewer.Mapper->GetNumberOfBlocks()) + ", visible " +
                        std::to_string(viewer.Mapper->GetNumberOfVisibleBlocks()));
+  std::ostringstream levels;
+  for (int level = 0; level < 7; ++level)
+  {
+    levels << (level == 0 ? "" : " ") << viewer.Mapper->GetNumberOfBricks(level);
+  }
+  PrintRow("blocks by level", levels.str());
   PrintRow("atlas", Format(viewer.Mapper->GetAtlasBytes() / MiB, 1, " MiB"));
+  PrintRow("graphics memory", Format(viewer.Mapper->GetMemoryInBytes() / MiB, 1, " MiB"));
 }
 
 void ShowMemoryInTitle(vtkObject*, unsigned long, void* data, void*)
 {
   auto* viewer = static_cast<Viewer*>(data);
   const std::string title =
-    "FlatBlockView - atlas " + Format(viewer->Mapper->GetAtlasBytes() / MiB, 1, " MiB");
+    "FlatBlockView - " + Format(viewer->Mapper->GetMemoryInBytes() / MiB, 1, " MiB");
   if (title != viewer->Window->GetWindowName())
   {
     viewer->Window->SetWindowName(title.c_str());

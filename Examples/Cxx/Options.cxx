@@ -25,6 +25,7 @@ FILE is .nii .nii.gz .nrrd .nhdr .mhd .mha .vti .vtk, a folder of DICOM slices, 
   --size WIDTH HEIGHT      pixels (800 800)
   --block-size 17|33|65    samples a block's side (33)
   --sample-distance D      between samples along a ray (half of the smallest spacing)
+  --memory MIB             limit of graphics memory (256)
   --interactive            opens a window
   --default FILE           what is drawn where no FILE is named
   --help
@@ -141,6 +142,10 @@ void TakeOption(const std::string& option, Words& words, Options& options)
   else if (option == "--sample-distance")
   {
     options.SampleDistance = words.TakeNumber(option, 0.0, 1e30);
+  }
+  else if (option == "--memory")
+  {
+    options.MemoryMiB = words.TakeNumber(option, 0.01, 1e6);
   }
   else if (option == "--default")
   {

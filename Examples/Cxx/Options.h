@@ -23,6 +23,7 @@ struct Options
   std::array<int, 2> Size = { 800, 800 };
   int BlockSize = 33;
   double SampleDistance = 0.0;
+  double MemoryMiB = 256.0;
   bool Interactive = false;
   bool Help = false;
 };

@@ -1,78 +1,126 @@
 #include "AtlasAllocator.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace flatblock
 {
-std::optional<Index3> AtlasAllocator::FindShape(std::int64_t bricks, int side, int largestTexture)
+AtlasAllocator::AtlasAllocator(const AtlasShape& shape, int depth)
+  : Shape(shape), Depth(depth), OpenSlabs(shape.GetNumberOfLevels())
 {
-  const std::int64_t most = largestTexture / side;
-  const std::int64_t wanted = std::max<std::int64_t>(bricks, 1);
-  std::optional<Index3> best;
-  std::int64_t fewest = std::numeric_limits<std::int64_t>::max();
-  int thinnest = 0;
-  for (std::int64_t z = 1; z <= most; ++z)
-  {
-    for (std::int64_t y = 1; y <= z; ++y)
-    {
-      const std::int64_t x = (wanted + y * z - 1) / (y * z);
-      if (x > most)
-      {
-        continue;
-      }
-      // Few places left over first; among those, the shape nearest to a cube.
-      const std::int64_t places = x * y * z;
-      const int thickness = static_cast<int>(std::min({ x, y, z }));
-      if (places < fewest || (places == fewest && thickness > thinnest))
-      {
-        fewest = places;
-        thinnest = thickness;
-        best = Index3{ static_cast<int>(x), static_cast<int>(y), static_cast<int>(z) };
-      }
-    }
-  }
-  return best;
-}
-
-AtlasAllocator::AtlasAllocator(const Index3& shape, int side)
-  : Shape(shape), Side(side), FreePlaces(static_cast<std::size_t>(shape[0]) * shape[1] * shape[2])
-{
-  std::iota(this->FreePlaces.rbegin(), this->FreePlaces.rend(), 0);
-}
-
-std::int64_t AtlasAllocator::GetCapacity() const
-{
-  return static_cast<std::int64_t>(this->Shape[0]) * this->Shape[1] * this->Shape[2];
-}
-
-std::int64_t AtlasAllocator::GetNumberOfFreePlaces() const
-{
-  return static_cast<std::int64_t>(this->FreePlaces.size());
 }
 
 Index3 AtlasAllocator::GetTextureSize() const
 {
-  return { this->Shape[0] * this->Side, this->Shape[1] * this->Side, this->Shape[2] * this->Side };
+  return { this->Shape.GetWidth(), this->Shape.GetHeight(), this->Depth };
 }
 
-int AtlasAllocator::Allocate()
+std::optional<BrickPlace> AtlasAllocator::Allocate(int level)
 {
-  const int place = this->FreePlaces.back();
-  this->FreePlaces.pop_back();
+  auto& open = this->OpenSlabs[level];
+  if (open.empty())
+  {
+    const std::optional<int> gap = this->FindGap(this->Shape.GetSide(level));
+    if (!gap)
+    {
+      return {};
+    }
+    open.emplace(*gap, this->AddSlab(level, *gap));
+  }
+  BrickPlace place;
+  place.Slab = open.begin()->second;
+  std::vector<int>& bricks = this->Slabs[place.Slab].FreeBricks;
+  place.Brick = bricks.back();
+  bricks.pop_back();
+  if (bricks.empty())
+  {
+    open.erase(open.begin());
+  }
   return place;
 }
 
-void AtlasAllocator::Free(int place)
+std::optional<int> AtlasAllocator::FindGap(int thickness) const
 {
-  this->FreePlaces.push_back(place);
+  std::vector<std::pair<int, int>> taken; // first layer, and the one after the last
+  for (const Slab& slab : this->Slabs)
+  {
+    if (slab.Level >= 0)
+    {
+      taken.emplace_back(slab.FirstLayer, slab.FirstLayer + this->Shape.GetSide(slab.Level));
+    }
+  }
+  std::sort(taken.begin(), taken.end());
+  int layer = 0;
+  for (const auto& [first, end] : taken)
+  {
+    if (first - layer >= thickness)
+    {
+      return layer;
+    }
+    layer = end;
+  }
+  return this->Depth - layer >= thickness ? std::optional<int>(layer) : std::nullopt;
 }
 
-Index3 AtlasAllocator::GetOrigin(int place) const
+int AtlasAllocator::AddSlab(int level, int firstLayer)
 {
-  const int row = place / this->Shape[0];
-  return { place % this->Shape[0] * this->Side, row % this->Shape[1] * this->Side,
-    row / this->Shape[1] * this->Side };
+  const auto unused = std::find_if(
+    this->Slabs.begin(), this->Slabs.end(), [](const Slab& slab) { return slab.Level < 0; });
+  const auto number = static_cast<int>(unused - this->Slabs.begin());
+  if (unused == this->Slabs.end())
+  {
+    this->Slabs.emplace_back();
+  }
+  Slab& slab = this->Slabs[number];
+  slab.Level = level;
+  slab.FirstLayer = firstLayer;
+  slab.FreeBricks.resize(static_cast<std::size_t>(this->Shape.GetBricksPerSlab(level)));
+  std::iota(slab.FreeBricks.rbegin(), slab.FreeBricks.rend(), 0);
+  return number;
+}
+
+void AtlasAllocator::Free(const BrickPlace& place)
+{
+  Slab& slab = this->Slabs[place.Slab];
+  slab.FreeBricks.push_back(place.Brick);
+  auto& open = this->OpenSlabs[slab.Level];
+  open.emplace(slab.FirstLayer, place.Slab);
+  const auto free = static_cast<std::int64_t>(slab.FreeBricks.size());
+  if (free == this->Shape.GetBricksPerSlab(slab.Level))
+  {
+    open.erase({ slab.FirstLayer, place.Slab });
+    slab = Slab();
+  }
+}
+
+Index3 AtlasAllocator::GetOrigin(const BrickPlace& place) const
+{
+  const Slab& slab = this->Slabs[place.Slab];
+  const int side = this->Shape.GetSide(slab.Level);
+  const int perRow = this->Shape.GetWidth() / side;
+  return { place.Brick % perRow * side, place.Brick / perRow * side, slab.FirstLayer };
+}
+
+std::int64_t AtlasAllocator::GetUsedTexels() const
+{
+  std::int64_t texels = 0;
+  for (const Slab& slab : this->Slabs)
+  {
+    if (slab.Level >= 0)
+    {
+      const std::int64_t side = this->Shape.GetSide(slab.Level);
+      const std::int64_t bricks = this->Shape.GetBricksPerSlab(slab.Level) -
+                                  static_cast<std::int64_t>(slab.FreeBricks.size());
+      texels += bricks * side * side * side;
+    }
+  }
+  return texels;
+}
+
+std::int64_t AtlasAllocator::GetTexels() const
+{
+  const Index3 size = this->GetTextureSize();
+  return static_cast<std::int64_t>(size[0]) * size[1] * size[2];
 }
 } // namespace flatblock

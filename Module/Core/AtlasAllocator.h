@@ -1,45 +1,73 @@
-/// Where bricks of one size lie in the atlas.
+/// Where bricks lie in the atlas.
 #pragma once
 
+#include "AtlasShape.h"
 #include "BlockGrid.h"
 
 #include <cstdint>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace flatblock
 {
-/// Hands out places for bricks in a 3D texture. A place is a number, counted x fastest.
+/// Where a brick lies: which slab, and which of its bricks.
+struct BrickPlace
+{
+  int Slab = -1;
+  int Brick = -1;
+
+  bool IsResident() const { return this->Slab >= 0; }
+  bool operator==(const BrickPlace& other) const
+  {
+    return this->Slab == other.Slab && this->Brick == other.Brick;
+  }
+};
+
+/// Hands out places for bricks. Slabs come and go with the bricks of their level.
 class AtlasAllocator
 {
 public:
-  /// The bricks an axis of the smallest atlas that holds `bricks` bricks of `side` texels a side,
-  /// none where the texture may not be larger than `largestTexture` texels a side.
-  static std::optional<Index3> FindShape(std::int64_t bricks, int side, int largestTexture);
-
   /// An atlas without a place.
   AtlasAllocator() = default;
 
-  /// @param shape  bricks an axis
-  /// @param side   texels a brick's side
-  AtlasAllocator(const Index3& shape, int side);
+  /// @param depth  texels along z, at most shape.GetDepth()
+  AtlasAllocator(const AtlasShape& shape, int depth);
 
-  std::int64_t GetCapacity() const;
-  std::int64_t GetNumberOfFreePlaces() const;
+  const AtlasShape& GetShape() const { return this->Shape; }
 
   /// Texels an axis.
   Index3 GetTextureSize() const;
 
-  /// A free place, the one freed last first; there must be one.
-  int Allocate();
-  void Free(int place);
+  /// A place in the lowest slab of the level that has one, or in a new slab in the lowest gap that
+  /// is wide enough; nothing where there is none.
+  std::optional<BrickPlace> Allocate(int level);
+  void Free(const BrickPlace& place);
+
+  int GetLevel(const BrickPlace& place) const { return this->Slabs[place.Slab].Level; }
 
   /// The first texel of the brick at this place.
-  Index3 GetOrigin(int place) const;
+  Index3 GetOrigin(const BrickPlace& place) const;
+
+  /// Texels that lie in bricks, and texels in all.
+  std::int64_t GetUsedTexels() const;
+  std::int64_t GetTexels() const;
 
 private:
-  Index3 Shape = { 0, 0, 0 };
-  int Side = 0;
-  std::vector<int> FreePlaces;
+  struct Slab
+  {
+    int Level = -1; ///< -1: there is no such slab now
+    int FirstLayer = 0;
+    std::vector<int> FreeBricks;
+  };
+
+  std::optional<int> FindGap(int thickness) const;
+  int AddSlab(int level, int firstLayer);
+
+  AtlasShape Shape;
+  int Depth = 0;
+  std::vector<Slab> Slabs;
+  std::vector<std::set<std::pair<int, int>>> OpenSlabs; ///< by level: first layer and number
 };
 } // namespace flatblock

@@ -22,6 +22,16 @@ std::int64_t BlockGrid::GetBlock(const Index3& position) const
          this->Blocks[0] * (position[1] + static_cast<std::int64_t>(this->Blocks[1]) * position[2]);
 }
 
+int BlockGrid::GetNumberOfLevels() const
+{
+  int levels = 1;
+  while (this->CellsPerBlock >> levels)
+  {
+    ++levels;
+  }
+  return levels;
+}
+
 Index3 BlockGrid::GetPosition(std::int64_t block) const
 {
   const std::int64_t row = block / this->Blocks[0];

@@ -29,6 +29,13 @@ public:
   /// The block at position (i,j,k) of the grid of blocks.
   std::int64_t GetBlock(const Index3& position) const;
 
+  /// Levels of detail of a block: level 0 holds every sample, level l one at a stride of 2^l, down
+  /// to the eight corners.
+  int GetNumberOfLevels() const;
+
+  /// Samples a side of a block's brick at this level.
+  int GetBrickSide(int level) const { return (this->CellsPerBlock >> level) + 1; }
+
   /// The block's position in the grid of blocks.
   Index3 GetPosition(std::int64_t block) const;
 

@@ -1,6 +1,7 @@
 /// Where bricks come from.
 #pragma once
 
+#include "BlockBorders.h"
 #include "BlockGrid.h"
 
 #include <cstddef>
@@ -38,8 +39,10 @@ public:
   virtual const BlockGrid& GetGrid() const = 0;
   virtual const TexelEncoding& GetEncoding() const = 0;
 
-  /// Writes the block's samples as SamplesPerBlock^3 texels, x fastest; beyond the volume's far
-  /// faces the last sample repeats. Safe to call from several threads at once.
-  virtual void ReadBrick(std::int64_t block, void* texels) const = 0;
+  /// Writes the block's samples at a stride of 2^level as GetBrickSide(level)^3 texels, x fastest,
+  /// with the border made as coarse as asked for. Beyond the volume's far faces the last sample
+  /// repeats. Safe to call from several threads at once.
+  virtual void ReadBrick(
+    std::int64_t block, int level, const BlockBorder& border, void* texels) const = 0;
 };
 } // namespace flatblock

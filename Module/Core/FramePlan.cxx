@@ -4,48 +4,119 @@
 
 namespace flatblock
 {
-void Residency::Clear()
+namespace
 {
-  this->Atlas = AtlasAllocator();
-  this->Places.clear();
+std::vector<std::int64_t> CountBricks(const std::vector<std::int8_t>& levels, int numberOfLevels)
+{
+  std::vector<std::int64_t> bricks(numberOfLevels, 0);
+  for (const std::int8_t level : levels)
+  {
+    if (level != NoLevel)
+    {
+      ++bricks[level];
+    }
+  }
+  return bricks;
 }
 
-std::optional<FramePlan> Residency::Plan(
-  const std::vector<std::uint8_t>& wanted, int brickSide, int largestTexture)
-{
-  FramePlan plan;
-  const std::int64_t bricks =
-    std::count_if(wanted.begin(), wanted.end(), [](std::uint8_t w) { return w != 0; });
-  const std::int64_t capacity = this->Atlas.GetCapacity();
-  if (capacity == 0 || bricks > capacity || capacity > 2 * std::max<std::int64_t>(bricks, 1))
-  {
-    const auto shape = AtlasAllocator::FindShape(bricks, brickSide, largestTexture);
-    if (!shape)
-    {
-      return {};
-    }
-    this->Atlas = AtlasAllocator(*shape, brickSide);
-    this->Places.assign(wanted.size(), NotResident);
-    plan.NewAtlas = true;
-    plan.NewPlaces = true;
-  }
+// Above what bricks of any level and border can be.
+constexpr std::int8_t NotUploaded = 100;
 
-  for (std::size_t block = 0; block < wanted.size(); ++block)
+// As deep as it may be where it holds coarse bricks, since they are to be refined one day.
+std::int64_t GetWantedDepth(const std::vector<std::int64_t>& bricks, const AtlasShape& shape)
+{
+  const bool isFinest =
+    std::all_of(bricks.begin() + 1, bricks.end(), [](std::int64_t count) { return count == 0; });
+  const std::int64_t depth = std::max<std::int64_t>(shape.GetDepthOf(bricks), shape.GetSide(0));
+  return std::min<std::int64_t>(isFinest ? depth : shape.GetDepth(), shape.GetDepth());
+}
+} // namespace
+
+void Residency::Clear()
+{
+  *this = Residency();
+}
+
+bool Residency::CanKeepAtlas(const std::vector<std::int64_t>& bricks, const AtlasShape& shape) const
+{
+  const AtlasShape& current = this->Atlas.GetShape();
+  if (current.GetNumberOfLevels() != shape.GetNumberOfLevels())
   {
-    if (!wanted[block] && this->Places[block] != NotResident)
+    return false;
+  }
+  const std::int64_t depth = this->Atlas.GetTextureSize()[2];
+  const std::int64_t most =
+    static_cast<std::int64_t>(shape.GetWidth()) * shape.GetHeight() * shape.GetDepth();
+  return current.GetDepthOf(bricks) <= depth && depth <= 2 * GetWantedDepth(bricks, current) &&
+         this->Atlas.GetTexels() <= most;
+}
+
+void Residency::StartAnew(std::size_t blocks, const std::vector<std::int64_t>& bricks,
+  const AtlasShape& shape, FramePlan& plan)
+{
+  this->Atlas = AtlasAllocator(shape, static_cast<int>(GetWantedDepth(bricks, shape)));
+  this->Levels.assign(blocks, NoLevel);
+  this->Borders.assign(blocks, BlockBorder{ NotUploaded });
+  this->Places.assign(blocks, BrickPlace());
+  plan.NewAtlas = true;
+  plan.NewPlaces = true;
+}
+
+// Gives every brick its place; false where the gaps between slabs are too narrow.
+bool Residency::Place(const std::vector<std::int8_t>& levels)
+{
+  for (std::size_t block = 0; block < levels.size(); ++block)
+  {
+    if (levels[block] != this->Levels[block] && this->Places[block].IsResident())
     {
       this->Atlas.Free(this->Places[block]);
-      this->Places[block] = NotResident;
-      plan.NewPlaces = true;
+      this->Places[block] = BrickPlace();
     }
   }
-  for (std::size_t block = 0; block < wanted.size(); ++block)
+  for (std::size_t block = 0; block < levels.size(); ++block)
   {
-    if (wanted[block] && this->Places[block] == NotResident)
+    if (levels[block] != NoLevel && !this->Places[block].IsResident())
     {
-      this->Places[block] = this->Atlas.Allocate();
-      plan.Uploads.push_back({ static_cast<std::int64_t>(block), this->Places[block] });
-      plan.NewPlaces = true;
+      const auto place = this->Atlas.Allocate(levels[block]);
+      if (!place)
+      {
+        return false;
+      }
+      this->Places[block] = *place;
+      this->Borders[block][0] = NotUploaded;
+    }
+  }
+  this->Levels = levels;
+  return true;
+}
+
+FramePlan Residency::Plan(const BlockGrid& grid, const std::vector<std::int8_t>& levels,
+  const AtlasShape& shape, bool continuity)
+{
+  FramePlan plan;
+  const auto bricks = CountBricks(levels, shape.GetNumberOfLevels());
+  if (!this->CanKeepAtlas(bricks, shape))
+  {
+    this->StartAnew(levels.size(), bricks, shape, plan);
+  }
+  plan.NewPlaces = plan.NewPlaces || this->Levels != levels;
+  if (!this->Place(levels))
+  {
+    this->StartAnew(levels.size(), bricks, shape, plan);
+    this->Place(levels);
+  }
+  for (std::size_t block = 0; block < levels.size(); ++block)
+  {
+    if (levels[block] == NoLevel)
+    {
+      continue;
+    }
+    const auto number = static_cast<std::int64_t>(block);
+    const BlockBorder border = continuity ? GetBlockBorder(grid, levels, number) : BlockBorder{};
+    if (border != this->Borders[block])
+    {
+      this->Borders[block] = border;
+      plan.Uploads.push_back({ number, levels[block], border, this->Places[block] });
     }
   }
   return plan;

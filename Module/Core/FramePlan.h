@@ -2,9 +2,10 @@
 #pragma once
 
 #include "AtlasAllocator.h"
+#include "BlockBorders.h"
+#include "LodSelector.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace flatblock
@@ -12,7 +13,9 @@ namespace flatblock
 struct BrickUpload
 {
   std::int64_t Block = 0;
-  int Place = 0;
+  int Level = 0;
+  BlockBorder Border = {};
+  BrickPlace Place;
 };
 
 /// What turns the atlas of the last frame into that of this one.
@@ -27,27 +30,32 @@ struct FramePlan
 class Residency
 {
 public:
-  static constexpr int NotResident = -1;
-
   /// Forgets everything: the GPU holds nothing.
   void Clear();
 
-  /// Plans the frame in which exactly the blocks with wanted[block] != 0 are resident, and takes it
-  /// as carried out. Bricks that stay are not touched. Places that fell free are kept for later;
-  /// the atlas is made anew only where it is too small or more than twice too large.
+  /// Plans the frame in which exactly the blocks that have a level are resident, at that level, and
+  /// takes it as carried out. A brick that keeps its level stays in its place, and is uploaded
+  /// again only if its border changes. The atlas is made anew where it is too small for these
+  /// bricks, too large for the shape, or more than twice too large for the bricks.
   ///
-  /// @return nothing where the bricks don't fit a texture of `largestTexture` texels a side; then
-  /// nothing has changed
-  std::optional<FramePlan> Plan(
-    const std::vector<std::uint8_t>& wanted, int brickSide, int largestTexture);
+  /// @param levels       of every block, which together fit the shape
+  /// @param continuity   whether borders follow coarser neighbours
+  FramePlan Plan(const BlockGrid& grid, const std::vector<std::int8_t>& levels,
+    const AtlasShape& shape, bool continuity);
 
   const AtlasAllocator& GetAtlas() const { return this->Atlas; }
-
-  /// Place of each block, or NotResident.
-  const std::vector<int>& GetPlaces() const { return this->Places; }
+  const std::vector<std::int8_t>& GetLevels() const { return this->Levels; }
+  const std::vector<BrickPlace>& GetPlaces() const { return this->Places; }
 
 private:
+  bool CanKeepAtlas(const std::vector<std::int64_t>& bricks, const AtlasShape& shape) const;
+  void StartAnew(std::size_t blocks, const std::vector<std::int64_t>& bricks,
+    const AtlasShape& shape, FramePlan& plan);
+  bool Place(const std::vector<std::int8_t>& levels);
+
   AtlasAllocator Atlas;
-  std::vector<int> Places;
+  std::vector<std::int8_t> Levels;
+  std::vector<BlockBorder> Borders;
+  std::vector<BrickPlace> Places;
 };
 } // namespace flatblock

@@ -2,63 +2,161 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
 
 using flatblock::AtlasAllocator;
+using flatblock::AtlasShape;
+using flatblock::BrickPlace;
 using flatblock::Index3;
 
-TEST(AtlasAllocator, FindsAShapeThatFitsWithLittleLeftOver)
+namespace
 {
-  for (int side : { 17, 33, 65 })
-  {
-    for (std::int64_t bricks : { 0, 1, 2, 7, 61, 100, 997, 1200, 9973 })
-    {
-      const auto shape = AtlasAllocator::FindShape(bricks, side, 2048);
-      ASSERT_TRUE(shape) << bricks << " bricks of " << side;
-      const Index3 n = *shape;
-      const std::int64_t places = std::int64_t(n[0]) * n[1] * n[2];
-      EXPECT_GE(places, bricks);
-      EXPECT_LE(places, std::max<std::int64_t>(bricks, 1) * 103 / 100) << bricks << " bricks";
-      for (int texels : { n[0] * side, n[1] * side, n[2] * side })
-      {
-        EXPECT_LE(texels, 2048);
-      }
-    }
-  }
-}
+const std::vector<int> Sides33 = { 33, 17, 9, 5, 3, 2 };
 
-TEST(AtlasAllocator, SaysWhenNoTextureIsLargeEnough)
+// The box of texels of a brick.
+struct Box
 {
-  EXPECT_TRUE(AtlasAllocator::FindShape(27, 17, 51));
-  EXPECT_FALSE(AtlasAllocator::FindShape(28, 17, 51));
-  EXPECT_FALSE(AtlasAllocator::FindShape(1, 65, 64));
-}
+  Index3 First;
+  int Side;
 
-TEST(AtlasAllocator, PlacesDoNotOverlap)
-{
-  AtlasAllocator atlas({ 3, 4, 5 }, 17);
-  EXPECT_EQ(atlas.GetTextureSize(), (Index3{ 51, 68, 85 }));
-  std::set<Index3> origins;
-  while (atlas.GetNumberOfFreePlaces() > 0)
+  bool Overlaps(const Box& other) const
   {
-    const Index3 origin = atlas.GetOrigin(atlas.Allocate());
     for (int axis = 0; axis < 3; ++axis)
     {
-      EXPECT_EQ(origin[axis] % 17, 0);
-      EXPECT_LE(origin[axis] + 17, atlas.GetTextureSize()[axis]);
+      if (this->First[axis] >= other.First[axis] + other.Side ||
+          other.First[axis] >= this->First[axis] + this->Side)
+      {
+        return false;
+      }
     }
-    EXPECT_TRUE(origins.insert(origin).second);
+    return true;
   }
-  EXPECT_EQ(origins.size(), 60U);
-  EXPECT_EQ(atlas.GetCapacity(), 60);
+};
+
+Box GetBox(const AtlasAllocator& atlas, const BrickPlace& place)
+{
+  return { atlas.GetOrigin(place), atlas.GetShape().GetSide(atlas.GetLevel(place)) };
+}
+} // namespace
+
+TEST(AtlasShape, WastesLittleAtEveryLevel)
+{
+  for (const std::vector<int>& sides :
+    { std::vector<int>{ 17, 9, 5, 3, 2 }, Sides33, { 65, 33, 17, 9, 5, 3, 2 } })
+  {
+    const std::int64_t texels = std::int64_t(256) << 20;
+    const AtlasShape shape(sides, texels, 1'000'000, 2048);
+    const std::int64_t area = std::int64_t(shape.GetWidth()) * shape.GetHeight();
+    EXPECT_LE(area * shape.GetDepth(), texels);
+    EXPECT_GE(area * shape.GetDepth(), texels * 99 / 100);
+    double loss = 0.0;
+    for (int level = 0; level < 3; ++level)
+    {
+      const double used = double(shape.GetBricksPerSlab(level)) * sides[level] * sides[level];
+      loss += 0.75 * std::pow(0.25, level) * (1.0 - used / double(area));
+    }
+    EXPECT_LE(loss, 0.04) << sides[0] << ": " << shape.GetWidth() << " x " << shape.GetHeight();
+  }
+}
+
+TEST(AtlasShape, IsHardlyLargerThanTheFinestBricks)
+{
+  for (std::int64_t bricks : { 1, 2, 7, 61, 100, 997 })
+  {
+    const AtlasShape shape(Sides33, std::int64_t(256) << 20, bricks, 2048);
+    const std::int64_t texels =
+      shape.GetDepthOf({ bricks, 0, 0, 0, 0, 0 }) * shape.GetWidth() * shape.GetHeight();
+    EXPECT_LE(texels, bricks * 33 * 33 * 33 * 103 / 100) << bricks << " bricks";
+  }
+}
+
+TEST(AtlasAllocator, PlacesNeverOverlapNorLeak)
+{
+  std::mt19937 random(3);
+  const AtlasShape shape(Sides33, 3'000'000, 1000, 2048);
+  AtlasAllocator atlas(shape, shape.GetDepth());
+  std::map<int, std::vector<BrickPlace>> held; // by level
+  std::vector<std::int64_t> counts(6, 0);
+  for (int step = 0; step < 20000; ++step)
+  {
+    const int level = static_cast<int>(random() % 6);
+    auto& places = held[level];
+    if (random() % 5 < 2 && !places.empty())
+    {
+      std::swap(places[random() % places.size()], places.back());
+      atlas.Free(places.back());
+      places.pop_back();
+      --counts[level];
+      continue;
+    }
+    const auto place = atlas.Allocate(level);
+    if (!place)
+    {
+      continue;
+    }
+    const Box box = GetBox(atlas, *place);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_GE(box.First[axis], 0);
+      ASSERT_LE(box.First[axis] + box.Side, atlas.GetTextureSize()[axis]);
+    }
+    if (step % 50 == 0)
+    {
+      for (const auto& [otherLevel, others] : held)
+      {
+        for (const BrickPlace& other : others)
+        {
+          ASSERT_FALSE(box.Overlaps(GetBox(atlas, other)));
+        }
+      }
+    }
+    places.push_back(*place);
+    ++counts[level];
+  }
+  std::int64_t used = 0;
+  for (int level = 0; level < 6; ++level)
+  {
+    used += counts[level] * shape.GetSide(level) * shape.GetSide(level) * shape.GetSide(level);
+  }
+  EXPECT_EQ(atlas.GetUsedTexels(), used);
+  for (auto& [level, places] : held)
+  {
+    for (const BrickPlace& place : places)
+    {
+      atlas.Free(place);
+    }
+  }
+  EXPECT_EQ(atlas.GetUsedTexels(), 0);
+  EXPECT_TRUE(atlas.Allocate(0)); // all slabs are gone: there is room for the thickest
+}
+
+TEST(AtlasAllocator, HoldsWhatTheShapeSays)
+{
+  const AtlasShape shape(Sides33, 5'000'000, 1000, 2048);
+  std::vector<std::int64_t> bricks = { 20, 60, 100, 0, 500, 40 };
+  ASSERT_LE(shape.GetDepthOf(bricks), shape.GetDepth());
+  AtlasAllocator atlas(shape, static_cast<int>(shape.GetDepthOf(bricks)));
+  for (int level = 0; level < 6; ++level)
+  {
+    for (std::int64_t i = 0; i < bricks[level]; ++i)
+    {
+      ASSERT_TRUE(atlas.Allocate(level)) << level << " " << i;
+    }
+  }
 }
 
 TEST(AtlasAllocator, HandsOutFreedPlacesAgain)
 {
-  AtlasAllocator atlas({ 2, 1, 1 }, 17);
-  const int first = atlas.Allocate();
-  atlas.Allocate();
-  EXPECT_EQ(atlas.GetNumberOfFreePlaces(), 0);
-  atlas.Free(first);
-  EXPECT_EQ(atlas.Allocate(), first);
+  AtlasAllocator atlas(AtlasShape(Sides33, 33 * 33 * 33 * 2, 2, 2048), 33);
+  const auto first = atlas.Allocate(0);
+  ASSERT_TRUE(first);
+  while (atlas.Allocate(0))
+  {
+  }
+  atlas.Free(*first);
+  EXPECT_EQ(atlas.Allocate(0), first);
+  EXPECT_FALSE(atlas.Allocate(0));
 }

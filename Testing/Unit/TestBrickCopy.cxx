@@ -19,7 +19,7 @@ TEST(BrickCopy, RepeatsTheLastSampleBeyondTheFarFaces)
   }
   const int side = 3;
   std::vector<std::uint8_t> brick(side * side * side, 0);
-  CopyBrick(samples.data(), dims, { 2, 1, 0 }, side, TexelEncoder<std::uint8_t, std::uint8_t>(),
+  CopyBrick(samples.data(), dims, { 2, 1, 0 }, side, 1, TexelEncoder<std::uint8_t, std::uint8_t>(),
     brick.data());
   for (int k = 0; k < side; ++k)
   {

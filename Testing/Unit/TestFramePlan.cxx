@@ -2,105 +2,143 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
-#include <set>
 
+using flatblock::AtlasShape;
+using flatblock::BlockGrid;
 using flatblock::FramePlan;
+using flatblock::NoLevel;
 using flatblock::Residency;
 
 namespace
 {
-using Wanted = std::vector<std::uint8_t>;
+using Levels = std::vector<std::int8_t>;
+const std::vector<int> Sides = { 17, 9, 5, 3, 2 };
 
-void ExpectResident(const Residency& residency, const Wanted& wanted)
+AtlasShape MakeShape(std::int64_t texels, std::int64_t finestBricks)
 {
-  std::set<int> places;
-  ASSERT_EQ(residency.GetPlaces().size(), wanted.size());
-  for (std::size_t block = 0; block < wanted.size(); ++block)
+  return AtlasShape(Sides, texels, finestBricks, 2048);
+}
+
+// A row of five blocks.
+const BlockGrid Row({ 81, 17, 17 }, 17);
+
+// What the GPU holds, by place: block, level, border.
+class Atlas
+{
+public:
+  void Execute(const Residency& residency, const FramePlan& plan)
   {
-    const int place = residency.GetPlaces()[block];
-    EXPECT_EQ(place != Residency::NotResident, wanted[block] != 0);
-    if (place != Residency::NotResident)
+    if (plan.NewAtlas)
     {
-      EXPECT_TRUE(places.insert(place).second) << "two bricks at place " << place;
-      EXPECT_LT(place, residency.GetAtlas().GetCapacity());
+      this->Bricks.clear();
+    }
+    for (const auto& upload : plan.Uploads)
+    {
+      this->Bricks[residency.GetAtlas().GetOrigin(upload.Place)] = upload;
     }
   }
-  EXPECT_EQ(residency.GetAtlas().GetNumberOfFreePlaces() + std::int64_t(places.size()),
-    residency.GetAtlas().GetCapacity());
-}
+
+  void ExpectHolds(
+    const BlockGrid& grid, const Residency& residency, const Levels& levels, bool continuity) const
+  {
+    ASSERT_EQ(residency.GetLevels(), levels);
+    for (std::size_t block = 0; block < levels.size(); ++block)
+    {
+      ASSERT_EQ(residency.GetPlaces()[block].IsResident(), levels[block] != NoLevel);
+      if (levels[block] == NoLevel)
+      {
+        continue;
+      }
+      const auto found =
+        this->Bricks.find(residency.GetAtlas().GetOrigin(residency.GetPlaces()[block]));
+      ASSERT_NE(found, this->Bricks.end());
+      ASSERT_EQ(found->second.Block, std::int64_t(block));
+      ASSERT_EQ(found->second.Level, levels[block]);
+      const auto border =
+        continuity ? flatblock::GetBlockBorder(grid, levels, block) : flatblock::BlockBorder{};
+      ASSERT_EQ(found->second.Border, border);
+    }
+  }
+
+private:
+  std::map<flatblock::Index3, flatblock::BrickUpload> Bricks;
+};
 } // namespace
 
 TEST(FramePlan, UploadsOnlyWhatIsNew)
 {
   Residency residency;
-  auto plan = residency.Plan({ 1, 1, 0, 1, 1 }, 33, 2048);
-  ASSERT_TRUE(plan);
-  EXPECT_TRUE(plan->NewAtlas);
-  EXPECT_EQ(plan->Uploads.size(), 4U);
+  const AtlasShape shape = MakeShape(1'000'000, 4);
+  FramePlan plan = residency.Plan(Row, { 0, 0, NoLevel, 0, 0 }, shape, true);
+  EXPECT_TRUE(plan.NewAtlas);
+  EXPECT_EQ(plan.Uploads.size(), 4U);
 
-  plan = residency.Plan({ 1, 1, 0, 1, 1 }, 33, 2048);
-  EXPECT_FALSE(plan->NewAtlas);
-  EXPECT_FALSE(plan->NewPlaces);
-  EXPECT_TRUE(plan->Uploads.empty());
+  plan = residency.Plan(Row, { 0, 0, NoLevel, 0, 0 }, shape, true);
+  EXPECT_FALSE(plan.NewAtlas);
+  EXPECT_FALSE(plan.NewPlaces);
+  EXPECT_TRUE(plan.Uploads.empty());
 
-  plan = residency.Plan({ 1, 0, 1, 1, 1 }, 33, 2048);
-  EXPECT_FALSE(plan->NewAtlas);
-  EXPECT_TRUE(plan->NewPlaces);
-  ASSERT_EQ(plan->Uploads.size(), 1U);
-  EXPECT_EQ(plan->Uploads[0].Block, 2);
-  ExpectResident(residency, { 1, 0, 1, 1, 1 });
+  plan = residency.Plan(Row, { 0, NoLevel, 0, 0, 0 }, shape, true);
+  EXPECT_FALSE(plan.NewAtlas);
+  EXPECT_TRUE(plan.NewPlaces);
+  ASSERT_EQ(plan.Uploads.size(), 1U);
+  EXPECT_EQ(plan.Uploads[0].Block, 2);
 }
 
-TEST(FramePlan, ChangesNothingWhereNoTextureIsLargeEnough)
+TEST(FramePlan, CoarserNeighboursChangeBorders)
 {
   Residency residency;
-  ASSERT_TRUE(residency.Plan({ 1, 0 }, 33, 33));
-  EXPECT_FALSE(residency.Plan({ 1, 1 }, 33, 33));
-  ExpectResident(residency, { 1, 0 });
+  const AtlasShape shape = MakeShape(100'000, 50); // deep enough to stay
+  residency.Plan(Row, { 0, 0, 0, 0, 1 }, shape, true);
+  const FramePlan plan = residency.Plan(Row, { 0, 0, 0, 1, 1 }, shape, true);
+  EXPECT_FALSE(plan.NewAtlas);
+  ASSERT_EQ(plan.Uploads.size(), 2U); // the block itself, and the one before it
+  EXPECT_EQ(plan.Uploads[0].Block, 2);
+  EXPECT_EQ(plan.Uploads[0].Level, 0);
+  EXPECT_EQ(plan.Uploads[1].Block, 3);
+  EXPECT_EQ(plan.Uploads[1].Level, 1);
 }
 
 TEST(FramePlan, CopesWithNoBlockAtAll)
 {
   Residency residency;
-  auto plan = residency.Plan({ 0, 0, 0 }, 17, 2048);
-  ASSERT_TRUE(plan);
-  EXPECT_TRUE(plan->NewAtlas); // one place, so that there is a texture to bind
-  EXPECT_TRUE(plan->Uploads.empty());
-  ExpectResident(residency, { 0, 0, 0 });
+  const FramePlan plan = residency.Plan(Row, Levels(5, NoLevel), MakeShape(1'000'000, 0), true);
+  EXPECT_TRUE(plan.NewAtlas); // so that there is a texture to bind
+  EXPECT_GT(residency.GetAtlas().GetTexels(), 0);
+  EXPECT_TRUE(plan.Uploads.empty());
 }
 
-TEST(FramePlan, HoldsUnderRandomEdits)
+TEST(FramePlan, HoldsUnderRandomLevels)
 {
   std::mt19937 random(11);
+  const BlockGrid grid({ 100, 90, 80 }, 17);
+  const auto blocks = static_cast<std::size_t>(grid.GetNumberOfBlocks());
+  const AtlasShape shape = MakeShape(400'000, 1000);
   Residency residency;
-  Wanted wanted(300, 0);
-  std::vector<std::int64_t> atlas; // what the GPU would hold: block at each place
-  for (int edit = 0; edit < 2000; ++edit)
+  Atlas atlas;
+  Levels levels(blocks, 3);
+  int newAtlases = 0;
+  for (int edit = 0; edit < 1000; ++edit)
   {
-    const double share = std::uniform_real_distribution<double>(0.0, 1.0)(random);
-    const int changes = std::uniform_int_distribution<int>(0, 60)(random);
-    for (int i = 0; i < changes; ++i)
+    const bool continuity = edit % 7 != 0;
+    for (int change = static_cast<int>(random() % 30); change > 0; --change)
     {
-      wanted[random() % wanted.size()] = std::bernoulli_distribution(share)(random) ? 1 : 0;
-    }
-    const auto plan = residency.Plan(wanted, 17, 2048);
-    ASSERT_TRUE(plan);
-    if (plan->NewAtlas)
-    {
-      atlas.assign(residency.GetAtlas().GetCapacity(), -1);
-    }
-    for (const auto& upload : plan->Uploads)
-    {
-      atlas[upload.Place] = upload.Block;
-    }
-    ExpectResident(residency, wanted);
-    for (std::size_t block = 0; block < wanted.size(); ++block)
-    {
-      if (wanted[block])
+      Levels changed = levels;
+      changed[random() % blocks] = static_cast<std::int8_t>(int(random() % 6) - 1);
+      std::vector<std::int64_t> bricks(5, 0);
+      for (std::int8_t level : changed)
       {
-        ASSERT_EQ(atlas[residency.GetPlaces()[block]], std::int64_t(block));
+        bricks[level == NoLevel ? 4 : level] += level == NoLevel ? 0 : 1;
       }
+      levels = shape.GetDepthOf(bricks) <= shape.GetDepth() ? changed : levels;
     }
+    const FramePlan plan = residency.Plan(grid, levels, shape, continuity);
+    newAtlases += plan.NewAtlas ? 1 : 0;
+    atlas.Execute(residency, plan);
+    ASSERT_NO_FATAL_FAILURE(atlas.ExpectHolds(grid, residency, levels, continuity));
   }
+  std::cout << newAtlases << " new atlases in 1000 edits\n";
+  EXPECT_LT(newAtlases, 200);
 }

@@ -1,0 +1,45 @@
+/// How large the atlas is, and how many bricks of each level it holds.
+#pragma once
+
+#include "BlockGrid.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace flatblock
+{
+/// The atlas is cut along z into slabs; a slab is as thick as the bricks of one level and holds
+/// these side by side. So bricks of sizes that don't nest leave nearly nothing over.
+class AtlasShape
+{
+public:
+  AtlasShape() = default;
+
+  /// The width and height that leave the least over.
+  ///
+  /// @param sides           texels a side of a brick, by level
+  /// @param mostTexels      the atlas may have
+  /// @param finestBricks    bricks that there would be if all were of level 0
+  /// @param largestTexture  texels a side that the driver allows
+  AtlasShape(
+    std::vector<int> sides, std::int64_t mostTexels, std::int64_t finestBricks, int largestTexture);
+
+  /// Texels an axis; Depth is the most that is allowed.
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  int GetDepth() const { return this->Depth; }
+  int GetSide(int level) const { return this->Sides[level]; }
+  int GetNumberOfLevels() const { return static_cast<int>(this->Sides.size()); }
+
+  std::int64_t GetBricksPerSlab(int level) const;
+
+  /// Texels along z of the slabs that hold so many bricks of each level.
+  std::int64_t GetDepthOf(const std::vector<std::int64_t>& bricks) const;
+
+private:
+  std::vector<int> Sides;
+  int Width = 0;
+  int Height = 0;
+  int Depth = 0;
+};
+} // namespace flatblock

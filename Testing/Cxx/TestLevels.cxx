@@ -1,0 +1,183 @@
+// Levels of detail within a limit of memory.
+#include "Rendering.h"
+#include "Volumes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace flatblock::testing;
+
+namespace
+{
+constexpr vtkTypeInt64 Beside = 1 << 19; // index, table, depth: all that is not atlas, at most
+
+void Prepare(Scene& scene, vtkTypeInt64 limit)
+{
+  scene.SetVolume(MarschnerLobb(128), 0.5 * 2.0 / 127.0);
+  scene.SetOpacity({ { 90.0, 0.0 }, { 125.0, 0.6 }, { 160.0, 0.0 } });
+  scene.SetColor({ { 90.0, 0.2, 0.4, 0.9 }, { 125.0, 0.9, 0.9, 0.7 }, { 160.0, 0.9, 0.3, 0.1 } });
+  scene.Property->SetScalarOpacityUnitDistance(0.01);
+  scene.Mapper->SetBlockSize(17);
+  scene.Mapper->SetMaxMemoryInBytes(limit);
+  scene.LookFrom(30.0, 40.0, 1.3);
+}
+
+vtkTypeInt64 CountBricks(vtkFlatBlockVolumeMapper* mapper)
+{
+  vtkTypeInt64 bricks = 0;
+  for (int level = 0; level < 7; ++level)
+  {
+    bricks += mapper->GetNumberOfBricks(level);
+  }
+  return bricks;
+}
+} // namespace
+
+TEST(Levels, ErrorFallsAsTheLimitRises)
+{
+  Scene scene;
+  Prepare(scene, 256 << 20);
+  const auto full = scene.Draw();
+  const vtkTypeInt64 all = scene.Mapper->GetMemoryInBytes();
+  const vtkTypeInt64 atlas = scene.Mapper->GetAtlasBytes();
+  EXPECT_EQ(scene.Mapper->GetNumberOfBricks(0), scene.Mapper->GetNumberOfVisibleBlocks());
+  double last = 100.0;
+  for (int part : { 2, 8, 32 })
+  {
+    const vtkTypeInt64 limit = all - atlas + atlas / part;
+    scene.Mapper->SetMaxMemoryInBytes(limit);
+    const double psnr = PSNR(scene.Draw(), full);
+    std::cout << "1/" << part << " of the atlas: " << psnr << " dB\n";
+    EXPECT_LE(scene.Mapper->GetMemoryInBytes(), limit);
+    EXPECT_GE(scene.Mapper->GetAtlasBytes(), atlas / part * 8 / 10);
+    EXPECT_EQ(CountBricks(scene.Mapper), scene.Mapper->GetNumberOfVisibleBlocks());
+    EXPECT_LT(psnr, last);
+    EXPECT_GE(psnr, 15.0);
+    EXPECT_TRUE(MatchesBaseline(scene.Window, "LevelsAt" + std::to_string(part)));
+    last = psnr;
+  }
+  scene.Mapper->SetMaxMemoryInBytes(256 << 20);
+  EXPECT_LE(LargestDifference(scene.Draw(), full), 1.0);
+}
+
+TEST(Levels, LimitHoldsUnderRandomChanges)
+{
+  std::mt19937 random(5);
+  const auto uniform = [&random](double from, double to)
+  { return std::uniform_real_distribution<double>(from, to)(random); };
+  Scene scene;
+  Prepare(scene, 256 << 20);
+  for (int change = 0; change < 60; ++change)
+  {
+    const vtkTypeInt64 limitBefore = scene.Mapper->GetMaxMemoryInBytes();
+    switch (random() % 6)
+    {
+    case 0:
+      scene.Mapper->SetMaxMemoryInBytes(Beside + vtkTypeInt64(uniform(5e4, 3e6)));
+      break;
+    case 1:
+    {
+      const int sizes[] = { 17, 33, 65 };
+      scene.Mapper->SetBlockSize(sizes[random() % 3]);
+      break;
+    }
+    case 2:
+      scene.SetRamp(uniform(0.0, 120.0), uniform(130.0, 255.0), uniform(0.1, 0.9));
+      break;
+    case 3:
+      scene.Mapper->SetUseCameraAsPointOfInterest(random() % 2 == 0);
+      scene.Mapper->SetPointOfInterest(uniform(-1.0, 1.0), uniform(-1.0, 1.0), 0.5);
+      break;
+    case 4:
+      scene.Window->SetSize(int(uniform(60.0, 300.0)), int(uniform(60.0, 300.0)));
+      break;
+    default:
+      scene.LookFrom(uniform(0.0, 360.0), uniform(-80.0, 80.0));
+    }
+    const auto messages = Listen([&] { scene.Window->Render(); });
+    ASSERT_TRUE(messages.Errors.empty()) << change << ": " << messages.Errors[0];
+    const vtkTypeInt64 limit = scene.Mapper->GetMaxMemoryInBytes();
+    ASSERT_LE(scene.Mapper->GetMemoryInBytes(), limit) << "change " << change;
+    ASSERT_LE(scene.Mapper->GetPeakMemoryInBytes(), std::max(limit, limitBefore)) << change;
+    ASSERT_EQ(CountBricks(scene.Mapper), scene.Mapper->GetNumberOfVisibleBlocks());
+  }
+  EXPECT_TRUE(ShowsSomething(Grab(scene.Window)));
+}
+
+TEST(Levels, ConvergedPicturesDependOnTheirInputsAlone)
+{
+  Scene walked;
+  Prepare(walked, 500000);
+  for (double azimuth : { 0.0, 90.0, 200.0 })
+  {
+    walked.LookFrom(azimuth, 10.0);
+    walked.Draw();
+  }
+  walked.LookFrom(30.0, 40.0, 1.3);
+  Scene fresh;
+  Prepare(fresh, 500000);
+  // Bricks at other places of the atlas round differently in the last bit.
+  EXPECT_LE(LargestDifference(walked.Draw(), fresh.Draw()), 1.0);
+  for (int level = 0; level < 5; ++level)
+  {
+    EXPECT_EQ(walked.Mapper->GetNumberOfBricks(level), fresh.Mapper->GetNumberOfBricks(level));
+  }
+}
+
+TEST(Levels, PointOfInterestIsFinest)
+{
+  Scene scene;
+  Prepare(scene, 500000);
+  const auto nearCamera = scene.Draw();
+  scene.Mapper->UseCameraAsPointOfInterestOff();
+  scene.Mapper->SetPointOfInterest(-1.0, -1.0, -1.0);
+  EXPECT_LT(PSNR(scene.Draw(), nearCamera), 50.0);
+  EXPECT_GT(scene.Mapper->GetUploadedBytes(), 0);
+  scene.Draw();
+  EXPECT_EQ(scene.Mapper->GetUploadedBytes(), 0);
+}
+
+TEST(Levels, TooLittleMemoryIsSaid)
+{
+  Scene scene;
+  Prepare(scene, 1000);
+  vtkSmartPointer<vtkImageData> picture;
+  const auto messages = Listen(
+    [&]
+    {
+      scene.Draw();
+      picture = scene.Draw();
+    });
+  ASSERT_EQ(messages.Errors.size(), 1U);
+  EXPECT_NE(messages.Errors[0].find("bytes are needed"), std::string::npos);
+  EXPECT_FALSE(ShowsSomething(picture));
+  scene.Mapper->SetMaxMemoryInBytes(256 << 20);
+  EXPECT_TRUE(ShowsSomething(scene.Draw()));
+}
+
+TEST(Levels, VolumesLongerThanTheLargestTexture)
+{
+  Scene scene;
+  scene.SetVolume(MakeVolume({ 5000, 34, 34 }, VTK_UNSIGNED_CHAR,
+                    [](int x, int y, int z) { return 128 + 100 * std::sin(0.01 * x) + y - z; }),
+    2.0);
+  scene.SetRamp(30.0, 240.0, 0.05);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.LookFrom(0.0, 0.0, 8.0);
+  for (double along : { 400.0, 2500.0, 4700.0 })
+  {
+    vtkCamera* camera = scene.Renderer->GetActiveCamera();
+    camera->SetPosition(along, 17.0, 1000.0);
+    camera->SetFocalPoint(along, 17.0, 0.0);
+    camera->SetParallelScale(100.0);
+    scene.Renderer->ResetCameraClippingRange();
+    scene.Mapper->SetMaxMemoryInBytes(256 << 20);
+    const auto full = scene.Draw();
+    EXPECT_TRUE(ShowsSomething(full)) << along;
+    scene.Mapper->SetMaxMemoryInBytes(Beside + 800000);
+    EXPECT_GE(PSNR(scene.Draw(), full), 35.0) << along;
+    EXPECT_GT(scene.Mapper->GetNumberOfBricks(1), 0);
+  }
+}
