@@ -1,9 +1,9 @@
 #include "vtkFlatBlockVolumeMapper.h"
 
 #include "FlatBlockVolumeInput.h"
-#include "LodSelector.h"
 #include "MemoryCounter.h"
 #include "vtkFlatBlockBuilder.h"
+#include "vtkFlatBlockLevels.h"
 #include "vtkFlatBlockTransferFunction.h"
 #include "vtkOpenGLFlatBlockAtlas.h"
 #include "vtkOpenGLFlatBlockRayCaster.h"
@@ -44,8 +44,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkNew<vtkFlatBlockBuilder> Builder;
   vtkNew<vtkFlatBlockTransferFunction> TransferFunction;
   std::vector<std::uint8_t> VisibleBlocks;
-  flatblock::AtlasShape Shape;
-  std::vector<std::int8_t> Levels;
+  vtkNew<vtkFlatBlockLevels> Levels;
   flatblock::Residency Residency;
   vtkNew<vtkOpenGLFlatBlockAtlas> Atlas;
   vtkNew<vtkOpenGLFlatBlockRayCaster> RayCaster;
@@ -199,24 +198,6 @@ void vtkFlatBlockVolumeMapper::UpdateTransferTable(vtkVolume* volume)
   }
 }
 
-// The largest atlas that leaves room for everything else.
-flatblock::AtlasShape vtkFlatBlockVolumeMapper::FindShape(vtkRenderer* renderer) const
-{
-  const vtkInternals& in = *this->Internals;
-  const flatblock::BrickSource& source = in.Builder->GetSource();
-  const flatblock::BlockGrid& grid = source.GetGrid();
-  std::vector<int> sides(grid.GetNumberOfLevels());
-  for (int level = 0; level < static_cast<int>(sides.size()); ++level)
-  {
-    sides[level] = grid.GetBrickSide(level);
-  }
-  const vtkTypeInt64 bytes = this->MaxMemoryInBytes - this->GetBytesBesideAtlas(renderer);
-  const auto texel =
-    static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(source.GetEncoding().Format));
-  return flatblock::AtlasShape(sides, std::max<vtkTypeInt64>(bytes, 0) / texel,
-    this->GetNumberOfVisibleBlocks(), vtkOpenGLFlatBlockAtlas::GetLargestTexture(in.Window));
-}
-
 vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer) const
 {
   const vtkInternals& in = *this->Internals;
@@ -228,47 +209,22 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer
          static_cast<vtkTypeInt64>(table);
 }
 
-void vtkFlatBlockVolumeMapper::SelectLevels(vtkRenderer* renderer, vtkVolume* volume)
+void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
-  const flatblock::BlockGrid& grid = in.Builder->GetSource().GetGrid();
-  flatblock::LodCriteria criteria;
-  criteria.NumberOfLevels = this->NumberOfLevels;
-
   vtkNew<vtkMatrix4x4> sampleToWorld;
   vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), in.Input.SampleToDataSet, sampleToWorld);
-  double world[4] = { 0.0, 0.0, 0.0, 1.0 };
-  const double* point = this->UseCameraAsPointOfInterest
-                          ? renderer->GetActiveCamera()->GetPosition()
-                          : this->PointOfInterest;
-  std::copy(point, point + 3, world);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    criteria.Spacing[axis] = std::hypot(sampleToWorld->GetElement(0, axis),
-      sampleToWorld->GetElement(1, axis), sampleToWorld->GetElement(2, axis));
-  }
-  sampleToWorld->Invert();
-  double samples[4];
-  sampleToWorld->MultiplyPoint(world, samples);
-  std::copy(samples, samples + 3, criteria.PointOfInterest.begin());
-
-  in.Shape = this->FindShape(renderer);
-  const auto levels = flatblock::SelectLevels(grid, in.Shape, in.VisibleBlocks, criteria);
-  if (!levels)
-  {
-    std::vector<std::int64_t> coarsest(in.Shape.GetNumberOfLevels(), 0);
-    coarsest.back() = this->GetNumberOfVisibleBlocks();
-    const vtkTypeInt64 texels =
-      in.Shape.GetDepthOf(coarsest) * in.Shape.GetWidth() * in.Shape.GetHeight();
-    const vtkTypeInt64 needed = this->GetBytesBesideAtlas(renderer) +
-                                texels * static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(
-                                           in.Builder->GetSource().GetEncoding().Format));
-    throw std::runtime_error("MaxMemoryInBytes is " + std::to_string(this->MaxMemoryInBytes) +
-                             ", but " + std::to_string(needed) + " bytes are needed for the " +
-                             std::to_string(this->GetNumberOfVisibleBlocks()) +
-                             " visible blocks at their coarsest level.");
-  }
-  in.Levels = *levels;
+  vtkFlatBlockLevels::Limits limits;
+  limits.MaxMemoryInBytes = this->MaxMemoryInBytes;
+  limits.BytesBesideAtlas = this->GetBytesBesideAtlas(renderer);
+  limits.LargestTexture = vtkOpenGLFlatBlockAtlas::GetLargestTexture(in.Window);
+  limits.NumberOfLevels = this->NumberOfLevels;
+  limits.PointOfInterest = this->UseCameraAsPointOfInterest
+                             ? renderer->GetActiveCamera()->GetPosition()
+                             : this->PointOfInterest;
+  limits.SampleToWorld = sampleToWorld;
+  in.Levels->Update(
+    in.Builder->GetSource(), in.VisibleBlocks, in.VisibleBlocksTime.GetMTime(), limits);
 }
 
 void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* volume)
@@ -280,10 +236,10 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
   }
   const flatblock::TransferTable& table = in.TransferFunction->GetTable();
   in.RayCaster->ReleaseStale(renderer, table);
-  this->SelectLevels(renderer, volume);
+  this->UpdateLevels(renderer, volume);
   const flatblock::BrickSource& source = in.Builder->GetSource();
-  const flatblock::FramePlan plan =
-    in.Residency.Plan(source.GetGrid(), in.Levels, in.Shape, this->InterblockContinuity);
+  const flatblock::FramePlan plan = in.Residency.Plan(
+    source.GetGrid(), in.Levels->GetLevels(), in.Levels->GetShape(), this->InterblockContinuity);
   if (!in.Atlas->Execute(in.Window, plan, in.Residency, source))
   {
     const flatblock::Index3 size = in.Residency.GetAtlas().GetTextureSize();

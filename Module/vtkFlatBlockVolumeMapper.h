@@ -33,11 +33,6 @@
 
 #include <memory> // for the internals
 
-namespace flatblock
-{
-class AtlasShape;
-}
-
 class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockVolumeMapper : public vtkVolumeMapper
 {
 public:
@@ -156,9 +151,8 @@ private:
   void UpdateBlocks();
   void UpdateTransferTable(vtkVolume* volume);
   void UpdateAtlas(vtkRenderer* renderer, vtkVolume* volume);
-  flatblock::AtlasShape FindShape(vtkRenderer* renderer) const;
+  void UpdateLevels(vtkRenderer* renderer, vtkVolume* volume);
   vtkTypeInt64 GetBytesBesideAtlas(vtkRenderer* renderer) const;
-  void SelectLevels(vtkRenderer* renderer, vtkVolume* volume);
   double GetStep() const;
   void WarnAboutIgnoredSettings(vtkVolume* volume);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <set>
-#include <utility>
 
 namespace flatblock
 {
@@ -60,12 +59,12 @@ double GetFinestLoss(int side, int width, int height, std::int64_t bricks)
 }
 } // namespace
 
-AtlasShape::AtlasShape(
-  std::vector<int> sides, std::int64_t mostTexels, std::int64_t finestBricks, int largestTexture)
-  : Sides(std::move(sides))
+AtlasShape::AtlasShape(const Request& request) : Sides(request.Sides)
 {
+  const std::int64_t mostTexels = request.MostTexels;
+  const int largestTexture = request.LargestTexture;
   const int side = this->Sides[0];
-  const std::int64_t bricks = std::max<std::int64_t>(finestBricks, 1);
+  const std::int64_t bricks = std::max<std::int64_t>(request.FinestBricks, 1);
   const std::int64_t finestTexels = bricks * side * side * side;
   const bool isFinest = finestTexels <= mostTexels;
   const std::int64_t texels = std::min(finestTexels, std::max<std::int64_t>(mostTexels, 1));

@@ -13,16 +13,26 @@ namespace flatblock
 class AtlasShape
 {
 public:
+  struct Request
+  {
+    std::vector<int> Sides;        ///< texels a side of a brick, by level
+    std::int64_t MostTexels = 0;   ///< that the atlas may have
+    std::int64_t FinestBricks = 0; ///< that there would be if all were of level 0
+    int LargestTexture = 0;        ///< texels a side that the driver allows
+
+    bool operator==(const Request& other) const
+    {
+      return this->Sides == other.Sides && this->MostTexels == other.MostTexels &&
+             this->FinestBricks == other.FinestBricks &&
+             this->LargestTexture == other.LargestTexture;
+    }
+  };
+
   AtlasShape() = default;
 
-  /// The width and height that leave the least over.
-  ///
-  /// @param sides           texels a side of a brick, by level
-  /// @param mostTexels      the atlas may have
-  /// @param finestBricks    bricks that there would be if all were of level 0
-  /// @param largestTexture  texels a side that the driver allows
-  AtlasShape(
-    std::vector<int> sides, std::int64_t mostTexels, std::int64_t finestBricks, int largestTexture);
+  /// The width and height that leave the least over. Tries many: to be asked only where the request
+  /// has changed.
+  explicit AtlasShape(const Request& request);
 
   /// Texels an axis; Depth is the most that is allowed.
   int GetWidth() const { return this->Width; }

@@ -99,6 +99,11 @@ FramePlan Residency::Plan(const BlockGrid& grid, const std::vector<std::int8_t>&
   {
     this->StartAnew(levels.size(), bricks, shape, plan);
   }
+  else if (this->Levels == levels && this->Continuity == continuity)
+  {
+    return plan;
+  }
+  this->Continuity = continuity;
   plan.NewPlaces = plan.NewPlaces || this->Levels != levels;
   if (!this->Place(levels))
   {

@@ -57,5 +57,6 @@ private:
   std::vector<std::int8_t> Levels;
   std::vector<BlockBorder> Borders;
   std::vector<BrickPlace> Places;
+  bool Continuity = false;
 };
 } // namespace flatblock

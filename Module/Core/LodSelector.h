@@ -24,6 +24,12 @@ struct LodCriteria
 
   /// World units of a sample's spacing along each axis.
   std::array<double, 3> Spacing = { 1.0, 1.0, 1.0 };
+
+  bool operator==(const LodCriteria& other) const
+  {
+    return this->NumberOfLevels == other.NumberOfLevels &&
+           this->PointOfInterest == other.PointOfInterest && this->Spacing == other.Spacing;
+  }
 };
 
 /// Begins with every visible block at the coarsest level, and refines by one level the block for

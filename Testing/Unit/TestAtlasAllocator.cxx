@@ -48,7 +48,7 @@ TEST(AtlasShape, WastesLittleAtEveryLevel)
     { std::vector<int>{ 17, 9, 5, 3, 2 }, Sides33, { 65, 33, 17, 9, 5, 3, 2 } })
   {
     const std::int64_t texels = std::int64_t(256) << 20;
-    const AtlasShape shape(sides, texels, 1'000'000, 2048);
+    const AtlasShape shape({ sides, texels, 1'000'000, 2048 });
     const std::int64_t area = std::int64_t(shape.GetWidth()) * shape.GetHeight();
     EXPECT_LE(area * shape.GetDepth(), texels);
     EXPECT_GE(area * shape.GetDepth(), texels * 99 / 100);
@@ -66,7 +66,7 @@ TEST(AtlasShape, IsHardlyLargerThanTheFinestBricks)
 {
   for (std::int64_t bricks : { 1, 2, 7, 61, 100, 997 })
   {
-    const AtlasShape shape(Sides33, std::int64_t(256) << 20, bricks, 2048);
+    const AtlasShape shape({ Sides33, std::int64_t(256) << 20, bricks, 2048 });
     const std::int64_t texels =
       shape.GetDepthOf({ bricks, 0, 0, 0, 0, 0 }) * shape.GetWidth() * shape.GetHeight();
     EXPECT_LE(texels, bricks * 33 * 33 * 33 * 103 / 100) << bricks << " bricks";
@@ -76,7 +76,7 @@ TEST(AtlasShape, IsHardlyLargerThanTheFinestBricks)
 TEST(AtlasAllocator, PlacesNeverOverlapNorLeak)
 {
   std::mt19937 random(3);
-  const AtlasShape shape(Sides33, 3'000'000, 1000, 2048);
+  const AtlasShape shape({ Sides33, 3'000'000, 1000, 2048 });
   AtlasAllocator atlas(shape, shape.GetDepth());
   std::map<int, std::vector<BrickPlace>> held; // by level
   std::vector<std::int64_t> counts(6, 0);
@@ -135,7 +135,7 @@ TEST(AtlasAllocator, PlacesNeverOverlapNorLeak)
 
 TEST(AtlasAllocator, HoldsWhatTheShapeSays)
 {
-  const AtlasShape shape(Sides33, 5'000'000, 1000, 2048);
+  const AtlasShape shape({ Sides33, 5'000'000, 1000, 2048 });
   std::vector<std::int64_t> bricks = { 20, 60, 100, 0, 500, 40 };
   ASSERT_LE(shape.GetDepthOf(bricks), shape.GetDepth());
   AtlasAllocator atlas(shape, static_cast<int>(shape.GetDepthOf(bricks)));
@@ -150,7 +150,7 @@ TEST(AtlasAllocator, HoldsWhatTheShapeSays)
 
 TEST(AtlasAllocator, HandsOutFreedPlacesAgain)
 {
-  AtlasAllocator atlas(AtlasShape(Sides33, 33 * 33 * 33 * 2, 2, 2048), 33);
+  AtlasAllocator atlas(AtlasShape({ Sides33, 33 * 33 * 33 * 2, 2, 2048 }), 33);
   const auto first = atlas.Allocate(0);
   ASSERT_TRUE(first);
   while (atlas.Allocate(0))

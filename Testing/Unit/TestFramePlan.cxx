@@ -18,7 +18,7 @@ const std::vector<int> Sides = { 17, 9, 5, 3, 2 };
 
 AtlasShape MakeShape(std::int64_t texels, std::int64_t finestBricks)
 {
-  return AtlasShape(Sides, texels, finestBricks, 2048);
+  return AtlasShape({ Sides, texels, finestBricks, 2048 });
 }
 
 // A row of five blocks.

@@ -19,7 +19,7 @@ const std::vector<std::uint8_t> AllVisible(1000, 1);
 
 AtlasShape MakeShape(std::int64_t texels)
 {
-  return AtlasShape(Sides, texels, 1000, 2048);
+  return AtlasShape({ Sides, texels, 1000, 2048 });
 }
 
 std::int64_t GetDepth(const AtlasShape& shape, const std::vector<std::int8_t>& levels)

@@ -22,11 +22,13 @@ forbid "Kernels knows VTK, OpenGL or Core" "vtk|GL/|$core" Kernels/*.{h,cxx,cu}
 forbid "Core knows VTK, OpenGL or Kernels" "vtk|GL/|$kernels" Module/Core/*.{h,cxx}
 forbid "An OpenGL class knows Kernels, the builder or the mapper" \
   "$kernels|vtkFlatBlock|FlatBlockVolumeInput" Module/vtkOpenGLFlatBlock*.{h,cxx}
+forbid "The levels know the builder, the mapper or an OpenGL class" \
+  "$kernels|vtkFlatBlock(Builder|VolumeMapper)|vtkOpenGL" Module/vtkFlatBlockLevels.*
 forbid "The builder knows the mapper or an OpenGL class" \
   "vtkFlatBlockVolumeMapper|vtkOpenGL" Module/vtkFlatBlockBuilder.* \
   Module/vtkFlatBlockTransferFunction.* Module/FlatBlockVolumeInput.*
 forbid "The plugin knows more than the mapper" \
-  "$core|$kernels|vtkOpenGLFlatBlock|vtkFlatBlockBuilder|vtkFlatBlockTransferFunction" \
+  "$core|$kernels|vtkOpenGLFlatBlock|vtkFlatBlockBuilder|vtkFlatBlockLevels|vtkFlatBlockTransferFunction" \
   $(find Plugin -name '*.h' -o -name '*.cxx')
 forbid "OpenGL's loader is included elsewhere" "vtk_glew" \
   $(find Module Plugin Kernels -name '*.h' -o -name 'vtkFlatBlock*.cxx')
