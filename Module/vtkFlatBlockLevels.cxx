@@ -52,6 +52,20 @@ flatblock::LodCriteria MakeCriteria(const vtkFlatBlockLevels::Limits& limits)
   double samples[4];
   worldToSample->MultiplyPoint(world, samples);
   std::copy(samples, samples + 3, criteria.PointOfInterest.begin());
+
+  // A plane is a row: it goes from world to samples by the matrix from samples to world.
+  for (int plane = 0; plane < 6; ++plane)
+  {
+    std::array<double, 4> row = { 0.0, 0.0, 0.0, 0.0 };
+    for (int column = 0; column < 4; ++column)
+    {
+      for (int i = 0; i < 4; ++i)
+      {
+        row[column] += limits.ViewPlanes[4 * plane + i] * matrix->GetElement(i, column);
+      }
+    }
+    criteria.ViewPlanes.push_back(row);
+  }
   return criteria;
 }
 } // namespace
@@ -82,6 +96,21 @@ void vtkFlatBlockLevels::Update(const flatblock::BrickSource& source,
   this->Criteria = criteria;
   this->VisibleTime = visibleTime;
   this->Modified();
+}
+
+double vtkFlatBlockLevels::GetShareReached(const std::vector<std::int8_t>& levels) const
+{
+  vtkTypeInt64 visible = 0;
+  vtkTypeInt64 there = 0;
+  for (std::size_t block = 0; block < this->Levels.size(); ++block)
+  {
+    if (this->Levels[block] != flatblock::NoLevel)
+    {
+      ++visible;
+      there += levels[block] == this->Levels[block] ? 1 : 0;
+    }
+  }
+  return visible > 0 ? static_cast<double>(there) / static_cast<double>(visible) : 1.0;
 }
 
 std::string vtkFlatBlockLevels::DescribeTooLittleMemory(

@@ -31,6 +31,7 @@ public:
     int LargestTexture;            ///< texels a side that the driver allows
     int NumberOfLevels;            ///< levels that a block may have
     const double* PointOfInterest; ///< world coordinates
+    const double* ViewPlanes;      ///< six in world coordinates, as vtkCamera gives them
     vtkMatrix4x4* SampleToWorld;
   };
 
@@ -47,6 +48,11 @@ public:
    */
   const std::vector<std::int8_t>& GetLevels() const { return this->Levels; }
   const flatblock::AtlasShape& GetShape() const { return this->Shape; }
+
+  /**
+   * Share of the visible blocks that have their level in `levels`, from 0 to 1.
+   */
+  double GetShareReached(const std::vector<std::int8_t>& levels) const;
 
 protected:
   vtkFlatBlockLevels() = default;

@@ -2,6 +2,7 @@
 
 #include "FlatBlockVolumeInput.h"
 #include "MemoryCounter.h"
+#include "Refinement.h"
 #include "vtkFlatBlockBuilder.h"
 #include "vtkFlatBlockLevels.h"
 #include "vtkFlatBlockTransferFunction.h"
@@ -54,6 +55,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkTimeStamp VisibleBlocksTime;
   vtkTimeStamp TransferTextureTime;
   vtkTypeInt64 UploadedBytes = 0;
+  bool WasConverged = true;
   std::string LastError;
   std::string LastWarning;
 };
@@ -99,6 +101,7 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     this->DrawFrame(renderer, volume);
     in.LastError.clear();
+    this->ReportProgress();
   }
   catch (const std::exception& problem)
   {
@@ -222,9 +225,62 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
   limits.PointOfInterest = this->UseCameraAsPointOfInterest
                              ? renderer->GetActiveCamera()->GetPosition()
                              : this->PointOfInterest;
+  double viewPlanes[24];
+  renderer->GetActiveCamera()->GetFrustumPlanes(renderer->GetTiledAspectRatio(), viewPlanes);
+  limits.ViewPlanes = viewPlanes;
   limits.SampleToWorld = sampleToWorld;
   in.Levels->Update(
     in.Builder->GetSource(), in.VisibleBlocks, in.VisibleBlocksTime.GetMTime(), limits);
+}
+
+// The wanted ones, or what an interactive frame may do towards them.
+std::vector<std::int8_t> vtkFlatBlockVolumeMapper::GetLevelsOfFrame(vtkRenderer* renderer)
+{
+  constexpr double InteractiveUpdateRate = 1.0;
+  const vtkInternals& in = *this->Internals;
+  const std::vector<std::int8_t>& wanted = in.Levels->GetLevels();
+  if (renderer->GetRenderWindow()->GetDesiredUpdateRate() < InteractiveUpdateRate)
+  {
+    return wanted;
+  }
+  const flatblock::BrickSource& source = in.Builder->GetSource();
+  const auto texel =
+    static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(source.GetEncoding().Format));
+  flatblock::RefinementBudget budget;
+  budget.Blocks = static_cast<vtkTypeInt64>(
+    this->RefinementFraction * static_cast<double>(this->GetNumberOfVisibleBlocks()));
+  budget.Texels = this->UploadBytesPerFrame / texel;
+  return flatblock::StepTowards(
+    source.GetGrid(), in.Levels->GetShape(), in.Residency.GetLevels(), wanted, budget);
+}
+
+bool vtkFlatBlockVolumeMapper::GetConverged() const
+{
+  const vtkInternals& in = *this->Internals;
+  return in.LastError.empty() && in.Residency.GetLevels() == in.Levels->GetLevels();
+}
+
+// Once more when it is done, and then no more.
+void vtkFlatBlockVolumeMapper::ReportProgress()
+{
+  vtkInternals& in = *this->Internals;
+  const bool isConverged = this->GetConverged();
+  if (!isConverged || !in.WasConverged)
+  {
+    this->UpdateProgress(in.Levels->GetShareReached(in.Residency.GetLevels()));
+  }
+  in.WasConverged = isConverged;
+}
+
+int vtkFlatBlockVolumeMapper::RenderUntilConverged(vtkRenderWindow* window)
+{
+  int frames = 0;
+  do
+  {
+    window->Render();
+    ++frames;
+  } while (!this->GetConverged() && this->Internals->LastError.empty());
+  return frames;
 }
 
 void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* volume)
@@ -238,8 +294,8 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
   in.RayCaster->ReleaseStale(renderer, table);
   this->UpdateLevels(renderer, volume);
   const flatblock::BrickSource& source = in.Builder->GetSource();
-  const flatblock::FramePlan plan = in.Residency.Plan(
-    source.GetGrid(), in.Levels->GetLevels(), in.Levels->GetShape(), this->InterblockContinuity);
+  const flatblock::FramePlan plan = in.Residency.Plan(source.GetGrid(),
+    this->GetLevelsOfFrame(renderer), in.Levels->GetShape(), this->InterblockContinuity);
   if (!in.Atlas->Execute(in.Window, plan, in.Residency, source))
   {
     const flatblock::Index3 size = in.Residency.GetAtlas().GetTextureSize();
@@ -346,6 +402,9 @@ void vtkFlatBlockVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
      << " " << this->PointOfInterest[2] << "\n";
   os << indent << "UseCameraAsPointOfInterest: " << this->UseCameraAsPointOfInterest << "\n";
   os << indent << "InterblockContinuity: " << this->InterblockContinuity << "\n";
+  os << indent << "RefinementFraction: " << this->RefinementFraction << "\n";
+  os << indent << "UploadBytesPerFrame: " << this->UploadBytesPerFrame << "\n";
+  os << indent << "Converged: " << this->GetConverged() << "\n";
   os << indent << "MemoryInBytes: " << this->GetMemoryInBytes() << "\n";
   os << indent << "NumberOfBlocks: " << this->GetNumberOfBlocks() << "\n";
   os << indent << "NumberOfVisibleBlocks: " << this->GetNumberOfVisibleBlocks() << "\n";

@@ -8,7 +8,7 @@
  * walks from block to block.
  *
  * Within MaxMemoryInBytes each block has its own level of detail: level l is made of one sample in
- * 2^l along each axis. Blocks near the point of interest are refined first.
+ * 2^l along each axis. Blocks near the point of interest are refined first, those out of view last.
  *
  * Input: vtkImageData, point data, one component, at least two samples along each axis. Integers of
  * 8 and 16 bit are kept as they are. All other types become 32-bit floats over the data's own
@@ -32,6 +32,9 @@
 #include "vtkVolumeMapper.h"
 
 #include <memory> // for the internals
+#include <vector> // for levels
+
+class vtkRenderWindow;
 
 class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockVolumeMapper : public vtkVolumeMapper
 {
@@ -94,6 +97,31 @@ public:
 
   ///@{
   /**
+   * What an interactive frame may do to reach the levels that are wanted: the share of the visible
+   * blocks that change (default 0.1), and bytes of bricks (default 16 MiB). A frame is interactive
+   * where the render window's desired update rate is 1 or more, as with vtkSmartVolumeMapper; all
+   * others are converged before they are shown.
+   */
+  vtkSetClampMacro(RefinementFraction, double, 0.0, 1.0);
+  vtkGetMacro(RefinementFraction, double);
+  vtkSetClampMacro(UploadBytesPerFrame, vtkTypeInt64, 1, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(UploadBytesPerFrame, vtkTypeInt64);
+  ///@}
+
+  /**
+   * Whether the last frame showed every block at the level that is wanted. Frames that don't send a
+   * ProgressEvent with the share of the visible blocks that do.
+   */
+  bool GetConverged() const;
+
+  /**
+   * Renders the window until this mapper, which draws in it, has converged.
+   * @return the number of frames
+   */
+  int RenderUntilConverged(vtkRenderWindow* window);
+
+  ///@{
+  /**
    * Whether blocks take over the borders of coarser neighbours, so that levels meet without a
    * crack. Default: on.
    */
@@ -150,6 +178,8 @@ private:
   void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);
   void UpdateBlocks();
   void UpdateTransferTable(vtkVolume* volume);
+  std::vector<signed char> GetLevelsOfFrame(vtkRenderer* renderer);
+  void ReportProgress();
   void UpdateAtlas(vtkRenderer* renderer, vtkVolume* volume);
   void UpdateLevels(vtkRenderer* renderer, vtkVolume* volume);
   vtkTypeInt64 GetBytesBesideAtlas(vtkRenderer* renderer) const;
@@ -162,6 +192,8 @@ private:
   int NumberOfLevels = 4;
   double PointOfInterest[3] = { 0.0, 0.0, 0.0 };
   bool UseCameraAsPointOfInterest = true;
+  double RefinementFraction = 0.1;
+  vtkTypeInt64 UploadBytesPerFrame = vtkTypeInt64(16) << 20;
   bool InterblockContinuity = true;
 
   struct vtkInternals;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <set>
 
 namespace flatblock
@@ -59,7 +60,8 @@ double GetFinestLoss(int side, int width, int height, std::int64_t bricks)
 }
 } // namespace
 
-AtlasShape::AtlasShape(const Request& request) : Sides(request.Sides)
+AtlasShape::AtlasShape(const Request& request)
+  : Sides(request.Sides), MostTexels(request.MostTexels)
 {
   const std::int64_t mostTexels = request.MostTexels;
   const int largestTexture = request.LargestTexture;
@@ -92,7 +94,11 @@ AtlasShape::AtlasShape(const Request& request) : Sides(request.Sides)
   if (this->Width > 0)
   {
     const std::int64_t area = static_cast<std::int64_t>(this->Width) * this->Height;
-    this->Depth = static_cast<int>(std::min<std::int64_t>(largestTexture, mostTexels / area));
+    const std::int64_t most = std::min<std::int64_t>(largestTexture, mostTexels / area);
+    // Every block at its finest level, and a slab of each other level on the way there.
+    const std::int64_t useful =
+      this->GetDepthOf({ bricks }) + std::accumulate(this->Sides.begin(), this->Sides.end(), 0);
+    this->Depth = static_cast<int>(std::min(most, useful));
   }
 }
 

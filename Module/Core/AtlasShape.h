@@ -34,10 +34,11 @@ public:
   /// has changed.
   explicit AtlasShape(const Request& request);
 
-  /// Texels an axis; Depth is the most that is allowed.
+  /// Texels an axis; Depth is the most that is of use within what is allowed.
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   int GetDepth() const { return this->Depth; }
+  std::int64_t GetMostTexels() const { return this->MostTexels; }
   int GetSide(int level) const { return this->Sides[level]; }
   int GetNumberOfLevels() const { return static_cast<int>(this->Sides.size()); }
 
@@ -48,6 +49,7 @@ public:
 
 private:
   std::vector<int> Sides;
+  std::int64_t MostTexels = 0;
   int Width = 0;
   int Height = 0;
   int Depth = 0;

@@ -45,10 +45,8 @@ bool Residency::CanKeepAtlas(const std::vector<std::int64_t>& bricks, const Atla
     return false;
   }
   const std::int64_t depth = this->Atlas.GetTextureSize()[2];
-  const std::int64_t most =
-    static_cast<std::int64_t>(shape.GetWidth()) * shape.GetHeight() * shape.GetDepth();
   return current.GetDepthOf(bricks) <= depth && depth <= 2 * GetWantedDepth(bricks, current) &&
-         this->Atlas.GetTexels() <= most;
+         this->Atlas.GetTexels() <= shape.GetMostTexels();
 }
 
 void Residency::StartAnew(std::size_t blocks, const std::vector<std::int64_t>& bricks,

@@ -10,12 +10,17 @@ namespace
 {
 struct Candidate
 {
+  bool IsInView;
   double Priority;
   std::int64_t Block;
 
   // Ties go to the block with the smaller number.
   bool operator<(const Candidate& other) const
   {
+    if (this->IsInView != other.IsInView)
+    {
+      return other.IsInView;
+    }
     return this->Priority != other.Priority ? this->Priority < other.Priority
                                             : this->Block > other.Block;
   }
@@ -39,6 +44,24 @@ double GetDiagonal(const BlockGrid& grid, int level, const LodCriteria& criteria
   const auto& spacing = criteria.Spacing;
   const double voxels = grid.GetCellsPerBlock() >> level;
   return voxels * std::hypot(spacing[0], spacing[1], spacing[2]);
+}
+
+// Whether the block has a corner on the inner side of each plane.
+bool IsInView(const BlockGrid& grid, std::int64_t block, const LodCriteria& criteria)
+{
+  const Index3 first = grid.GetFirstSample(block);
+  return std::all_of(criteria.ViewPlanes.begin(), criteria.ViewPlanes.end(),
+    [&](const std::array<double, 4>& plane)
+    {
+      double farthest = plane[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double low = plane[axis] * first[axis];
+        const double high = plane[axis] * (first[axis] + grid.GetCellsPerBlock());
+        farthest += std::max(low, high);
+      }
+      return farthest >= 0.0;
+    });
 }
 
 // The coarsest level that is needed for all visible blocks to fit; none if there is no such level.
@@ -88,8 +111,8 @@ std::optional<std::vector<std::int8_t>> SelectLevels(const BlockGrid& grid, cons
       const auto number = static_cast<std::int64_t>(block);
       levels[block] = static_cast<std::int8_t>(*coarsest);
       distances[block] = GetDistance(grid, number, criteria);
-      start.push_back(
-        { 1.0 / (distances[block] + GetDiagonal(grid, *coarsest, criteria)), number });
+      start.push_back({ IsInView(grid, number, criteria),
+        1.0 / (distances[block] + GetDiagonal(grid, *coarsest, criteria)), number });
     }
   }
 
@@ -97,6 +120,7 @@ std::optional<std::vector<std::int8_t>> SelectLevels(const BlockGrid& grid, cons
   while (!queue.empty())
   {
     const std::int64_t block = queue.top().Block;
+    const bool isInView = queue.top().IsInView;
     queue.pop();
     const int level = levels[block];
     if (level == 0)
@@ -112,7 +136,8 @@ std::optional<std::vector<std::int8_t>> SelectLevels(const BlockGrid& grid, cons
       continue; // a smaller brick may still find a place
     }
     levels[block] = static_cast<std::int8_t>(level - 1);
-    queue.push({ 1.0 / (distances[block] + GetDiagonal(grid, level - 1, criteria)), block });
+    queue.push(
+      { isInView, 1.0 / (distances[block] + GetDiagonal(grid, level - 1, criteria)), block });
   }
   return levels;
 }

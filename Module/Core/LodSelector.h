@@ -25,18 +25,23 @@ struct LodCriteria
   /// World units of a sample's spacing along each axis.
   std::array<double, 3> Spacing = { 1.0, 1.0, 1.0 };
 
+  /// Planes (a, b, c, d) in samples: what has a x + b y + c z + d < 0 on any of them is out of
+  /// view.
+  std::vector<std::array<double, 4>> ViewPlanes;
+
   bool operator==(const LodCriteria& other) const
   {
     return this->NumberOfLevels == other.NumberOfLevels &&
-           this->PointOfInterest == other.PointOfInterest && this->Spacing == other.Spacing;
+           this->PointOfInterest == other.PointOfInterest && this->Spacing == other.Spacing &&
+           this->ViewPlanes == other.ViewPlanes;
   }
 };
 
 /// Begins with every visible block at the coarsest level, and refines by one level the block for
 /// which 1 / (d + diagonal) is the largest, until nothing more fits: d is the distance from the
 /// point of interest to the block's centre, the diagonal that of the block counted in voxels of its
-/// present level, both in world units of the finest voxel. Where all blocks fit at level 0 they
-/// have it. Depends on its arguments alone.
+/// present level, both in world units of the finest voxel. Blocks out of view come after all that
+/// are in it. Where all blocks fit at level 0 they have it. Depends on its arguments alone.
 ///
 /// @return the level of every block, NoLevel where it is not visible; nothing where not even the
 /// coarsest levels of all visible blocks fit the shape

@@ -2,8 +2,11 @@
 #include "Rendering.h"
 #include "Volumes.h"
 
+#include "vtkCallbackCommand.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -137,6 +140,58 @@ TEST(Levels, PointOfInterestIsFinest)
   EXPECT_GT(scene.Mapper->GetUploadedBytes(), 0);
   scene.Draw();
   EXPECT_EQ(scene.Mapper->GetUploadedBytes(), 0);
+}
+
+TEST(Levels, InteractiveFramesRefineWithinTheirBudget)
+{
+  Scene still;
+  Prepare(still, 800000);
+  const auto converged = still.Draw();
+  EXPECT_TRUE(still.Mapper->GetConverged());
+
+  Scene scene;
+  Prepare(scene, 800000);
+  scene.Mapper->SetRefinementFraction(0.05);
+  scene.Mapper->SetUploadBytesPerFrame(100000);
+  std::vector<double> progress;
+  vtkNew<vtkCallbackCommand> onProgress;
+  onProgress->SetClientData(&progress);
+  onProgress->SetCallback([](vtkObject*, unsigned long, void* list, void* amount)
+    { static_cast<std::vector<double>*>(list)->push_back(*static_cast<double*>(amount)); });
+  scene.Window->SetDesiredUpdateRate(15.0);
+  const auto first = scene.Draw(); // in which the pipeline reports its own progress
+  scene.Mapper->AddObserver(vtkCommand::ProgressEvent, onProgress);
+  EXPECT_TRUE(ShowsSomething(first));
+  EXPECT_FALSE(scene.Mapper->GetConverged());
+  EXPECT_LT(PSNR(first, converged), 40.0);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    scene.Draw();
+    // Bricks that only get a new border come on top.
+    EXPECT_LE(scene.Mapper->GetUploadedBytes(), 400000);
+    EXPECT_LE(scene.Mapper->GetPeakMemoryInBytes(), 800000);
+  }
+  EXPECT_GT(scene.Mapper->RenderUntilConverged(scene.Window), 2);
+  EXPECT_LE(LargestDifference(Grab(scene.Window), converged), 1.0);
+  ASSERT_GT(progress.size(), 4U);
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_EQ(progress.back(), 1.0);
+}
+
+TEST(Levels, StillsConvergeBeforeTheyAreShown)
+{
+  Scene scene;
+  Prepare(scene, 800000);
+  scene.Mapper->SetRefinementFraction(0.01);
+  scene.Window->SetDesiredUpdateRate(15.0);
+  scene.Draw();
+  EXPECT_FALSE(scene.Mapper->GetConverged());
+  scene.Window->SetDesiredUpdateRate(0.0001);
+  const auto picture = scene.Draw();
+  EXPECT_TRUE(scene.Mapper->GetConverged());
+  Scene fresh;
+  Prepare(fresh, 800000);
+  EXPECT_LE(LargestDifference(picture, fresh.Draw()), 1.0);
 }
 
 TEST(Levels, TooLittleMemoryIsSaid)

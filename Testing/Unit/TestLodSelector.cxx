@@ -65,6 +65,22 @@ TEST(LodSelector, NearBlocksAreFiner)
   }
 }
 
+TEST(LodSelector, WhatIsOutOfViewComesLast)
+{
+  LodCriteria criteria;
+  criteria.ViewPlanes = { { 1.0, 0.0, 0.0, -85.0 } }; // x >= 85, in the sixth block
+  const auto levels = SelectLevels(Grid, MakeShape(2'900'000), AllVisible, criteria);
+  ASSERT_TRUE(levels);
+  int finestOutOfView = 0;
+  for (std::int64_t block = 0; block < 1000; ++block)
+  {
+    const bool isInView = Grid.GetPosition(block)[0] >= 5;
+    EXPECT_TRUE(!isInView || (*levels)[block] == 0) << block;
+    finestOutOfView += !isInView && (*levels)[block] == 0 ? 1 : 0;
+  }
+  EXPECT_LT(finestOutOfView, 120);
+}
+
 TEST(LodSelector, AddsCoarserLevelsWhereTheAskedForDontFit)
 {
   LodCriteria criteria;
