@@ -55,6 +55,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkTimeStamp VisibleBlocksTime;
   vtkTimeStamp TransferTextureTime;
   vtkTypeInt64 UploadedBytes = 0;
+  vtkTypeInt64 MovedBytes = 0;
   bool WasConverged = true;
   std::string LastError;
   std::string LastWarning;
@@ -92,6 +93,7 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
   in.UploadedBytes = 0;
+  in.MovedBytes = 0;
   in.Memory.ResetPeak();
   if (renderer->GetSelector())
   {
@@ -294,9 +296,18 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
   in.RayCaster->ReleaseStale(renderer, table);
   this->UpdateLevels(renderer, volume);
   const flatblock::BrickSource& source = in.Builder->GetSource();
-  const flatblock::FramePlan plan = in.Residency.Plan(source.GetGrid(),
-    this->GetLevelsOfFrame(renderer), in.Levels->GetShape(), this->InterblockContinuity);
-  if (!in.Atlas->Execute(in.Window, plan, in.Residency, source))
+  const auto plan = [&]
+  {
+    return in.Residency.Plan(source.GetGrid(), this->GetLevelsOfFrame(renderer),
+      in.Levels->GetShape(), this->InterblockContinuity);
+  };
+  flatblock::FramePlan frame = plan();
+  if (!frame.Moves.empty() && !vtkOpenGLFlatBlockAtlas::CanMove())
+  {
+    in.Residency.Clear();
+    frame = plan();
+  }
+  if (!in.Atlas->Execute(in.Window, frame, in.Residency, source))
   {
     const flatblock::Index3 size = in.Residency.GetAtlas().GetTextureSize();
     throw std::runtime_error("The graphics card has no memory for an atlas of " +
@@ -304,6 +315,7 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
                              std::to_string(size[2]) + " texels.");
   }
   in.UploadedBytes = in.Atlas->GetUploadedBytes();
+  in.MovedBytes = in.Atlas->GetMovedBytes();
   if (!in.RayCaster->HasTransferTable() || in.TransferFunction->GetMTime() > in.TransferTextureTime)
   {
     in.RayCaster->SetTransferTable(in.Window, table);
@@ -384,6 +396,11 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetPeakMemoryInBytes() const
 vtkTypeInt64 vtkFlatBlockVolumeMapper::GetAtlasBytes() const
 {
   return this->Internals->Atlas->GetBytes();
+}
+
+vtkTypeInt64 vtkFlatBlockVolumeMapper::GetMovedBytes() const
+{
+  return this->Internals->MovedBytes;
 }
 
 vtkTypeInt64 vtkFlatBlockVolumeMapper::GetUploadedBytes() const

@@ -135,7 +135,7 @@ public:
    * What the last frame was made of: blocks of the volume; blocks that are not transparent; those
    * drawn at a level of detail; bytes on the graphics card, counted where they are allocated: in
    * all, the most at any time of the frame, and of the atlas; bytes of bricks sent to it for that
-   * frame.
+   * frame, and moved within the atlas.
    */
   vtkTypeInt64 GetNumberOfBlocks() const;
   vtkTypeInt64 GetNumberOfVisibleBlocks() const;
@@ -144,6 +144,7 @@ public:
   vtkTypeInt64 GetPeakMemoryInBytes() const;
   vtkTypeInt64 GetAtlasBytes() const;
   vtkTypeInt64 GetUploadedBytes() const;
+  vtkTypeInt64 GetMovedBytes() const;
   ///@}
 
   ///@{

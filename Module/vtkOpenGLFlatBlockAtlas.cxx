@@ -74,6 +74,7 @@ bool vtkOpenGLFlatBlockAtlas::Execute(vtkOpenGLRenderWindow* window,
   const flatblock::BrickSource& source)
 {
   this->UploadedBytes = 0;
+  this->MovedBytes = 0;
   const flatblock::AtlasAllocator& places = residency.GetAtlas();
   if ((plan.NewAtlas &&
         !this->Allocate(window, places.GetTextureSize(), source.GetEncoding().Format)) ||
@@ -82,6 +83,7 @@ bool vtkOpenGLFlatBlockAtlas::Execute(vtkOpenGLRenderWindow* window,
     this->ReleaseGraphicsResources(window);
     return false;
   }
+  this->Move(plan.Moves, source.GetEncoding().Format);
   this->Upload(plan.Uploads, places, source);
   return true;
 }
@@ -139,6 +141,32 @@ bool vtkOpenGLFlatBlockAtlas::WriteIndex(
   this->IndexBytes.Set(GetIndexBytes(static_cast<vtkTypeInt64>(places.size())));
   ClearGLErrors();
   return created && !failed;
+}
+
+bool vtkOpenGLFlatBlockAtlas::CanMove()
+{
+  return GLEW_ARB_copy_image != 0;
+}
+
+void vtkOpenGLFlatBlockAtlas::Move(
+  const std::vector<flatblock::BoxMove>& moves, flatblock::TexelFormat format)
+{
+  const unsigned int atlas = this->Bricks->GetHandle();
+  for (const flatblock::BoxMove& move : moves)
+  {
+    // A copy must not overlap itself: slabs that move by less than their thickness go in slices.
+    const int apart = move.From[2] - move.To[2];
+    const bool isAside = move.From[0] != move.To[0] || move.From[1] != move.To[1];
+    const int slice = isAside || apart <= 0 ? move.Size[2] : std::min(apart, move.Size[2]);
+    for (int z = 0; z < move.Size[2]; z += slice)
+    {
+      glCopyImageSubData(atlas, GL_TEXTURE_3D, 0, move.From[0], move.From[1], move.From[2] + z,
+        atlas, GL_TEXTURE_3D, 0, move.To[0], move.To[1], move.To[2] + z, move.Size[0], move.Size[1],
+        std::min(slice, move.Size[2] - z));
+    }
+    this->MovedBytes += static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(format)) * move.Size[0] *
+                        move.Size[1] * move.Size[2];
+  }
 }
 
 void vtkOpenGLFlatBlockAtlas::Upload(const std::vector<flatblock::BrickUpload>& uploads,
@@ -203,6 +231,7 @@ void vtkOpenGLFlatBlockAtlas::ReleaseGraphicsResources(vtkWindow* window)
   this->BrickBytes.Set(0);
   this->IndexBytes.Set(0);
   this->UploadedBytes = 0;
+  this->MovedBytes = 0;
 }
 
 void vtkOpenGLFlatBlockAtlas::PrintSelf(ostream& os, vtkIndent indent)
@@ -210,4 +239,5 @@ void vtkOpenGLFlatBlockAtlas::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Bytes: " << this->GetBytes() << "\n";
   os << indent << "UploadedBytes: " << this->UploadedBytes << "\n";
+  os << indent << "MovedBytes: " << this->MovedBytes << "\n";
 }

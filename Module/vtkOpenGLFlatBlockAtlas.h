@@ -37,6 +37,11 @@ public:
   static int GetLargestTexture(vtkOpenGLRenderWindow* window);
 
   /**
+   * Whether the driver can move bricks within the atlas.
+   */
+  static bool CanMove();
+
+  /**
    * Carries out a plan. Where the driver has no memory left nothing remains allocated.
    * @return whether it could
    */
@@ -57,10 +62,11 @@ public:
   vtkTextureObject* GetBlockIndex() const { return this->BlockIndex; }
 
   /**
-   * Bytes of the 3D texture, and bytes of bricks that the last Execute() uploaded.
+   * Bytes of the 3D texture, and bytes of bricks that the last Execute() uploaded or moved.
    */
   vtkTypeInt64 GetBytes() const { return this->BrickBytes.Get(); }
   vtkGetMacro(UploadedBytes, vtkTypeInt64);
+  vtkGetMacro(MovedBytes, vtkTypeInt64);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -75,6 +81,7 @@ private:
   bool Allocate(
     vtkOpenGLRenderWindow* window, const flatblock::Index3& size, flatblock::TexelFormat format);
   bool WriteIndex(vtkOpenGLRenderWindow* window, const flatblock::Residency& residency);
+  void Move(const std::vector<flatblock::BoxMove>& moves, flatblock::TexelFormat format);
   void Upload(const std::vector<flatblock::BrickUpload>& uploads,
     const flatblock::AtlasAllocator& places, const flatblock::BrickSource& source);
 
@@ -83,6 +90,7 @@ private:
   flatblock::CountedBytes BrickBytes;
   flatblock::CountedBytes IndexBytes;
   vtkTypeInt64 UploadedBytes = 0;
+  vtkTypeInt64 MovedBytes = 0;
 };
 
 #endif

@@ -94,6 +94,89 @@ void AtlasAllocator::Free(const BrickPlace& place)
   }
 }
 
+Compaction AtlasAllocator::Compact()
+{
+  Compaction compaction;
+  for (int level = 0; level < this->Shape.GetNumberOfLevels(); ++level)
+  {
+    this->MergeSlabs(level, compaction);
+  }
+  this->CloseGaps(compaction);
+  return compaction;
+}
+
+void AtlasAllocator::MergeSlabs(int level, Compaction& compaction)
+{
+  auto& open = this->OpenSlabs[level];
+  const auto perSlab = static_cast<std::size_t>(this->Shape.GetBricksPerSlab(level));
+  const int side = this->Shape.GetSide(level);
+  while (open.size() > 1)
+  {
+    const auto emptiest = std::max_element(open.begin(), open.end(),
+      [this](const auto& a, const auto& b) {
+        return this->Slabs[a.second].FreeBricks.size() < this->Slabs[b.second].FreeBricks.size();
+      });
+    const auto source = *emptiest;
+    open.erase(emptiest);
+    std::vector<bool> isFree(perSlab, false);
+    for (const int brick : this->Slabs[source.second].FreeBricks)
+    {
+      isFree[brick] = true;
+    }
+    for (int brick = 0; brick < static_cast<int>(perSlab) && !open.empty(); ++brick)
+    {
+      if (!isFree[brick])
+      {
+        const BrickPlace from{ source.second, brick };
+        const BrickPlace to = *this->Allocate(level);
+        compaction.NewPlaces.emplace_back(from, to);
+        compaction.Moves.push_back(
+          { this->GetOrigin(from), this->GetOrigin(to), { side, side, side } });
+        this->Slabs[source.second].FreeBricks.push_back(brick);
+      }
+    }
+    if (this->Slabs[source.second].FreeBricks.size() == perSlab)
+    {
+      this->Slabs[source.second] = Slab();
+    }
+    else
+    {
+      open.insert(source);
+    }
+  }
+}
+
+void AtlasAllocator::CloseGaps(Compaction& compaction)
+{
+  std::vector<int> order;
+  for (int slab = 0; slab < static_cast<int>(this->Slabs.size()); ++slab)
+  {
+    if (this->Slabs[slab].Level >= 0)
+    {
+      order.push_back(slab);
+    }
+  }
+  std::sort(order.begin(), order.end(),
+    [this](int a, int b) { return this->Slabs[a].FirstLayer < this->Slabs[b].FirstLayer; });
+  int layer = 0;
+  for (const int number : order)
+  {
+    Slab& slab = this->Slabs[number];
+    const int thickness = this->Shape.GetSide(slab.Level);
+    if (slab.FirstLayer > layer)
+    {
+      compaction.Moves.push_back({ { 0, 0, slab.FirstLayer }, { 0, 0, layer },
+        { this->Shape.GetWidth(), this->Shape.GetHeight(), thickness } });
+      if (this->OpenSlabs[slab.Level].erase({ slab.FirstLayer, number }) > 0)
+      {
+        this->OpenSlabs[slab.Level].emplace(layer, number);
+      }
+      slab.FirstLayer = layer;
+    }
+    layer += thickness;
+  }
+}
+
 Index3 AtlasAllocator::GetOrigin(const BrickPlace& place) const
 {
   const Slab& slab = this->Slabs[place.Slab];

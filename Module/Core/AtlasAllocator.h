@@ -23,6 +23,27 @@ struct BrickPlace
   {
     return this->Slab == other.Slab && this->Brick == other.Brick;
   }
+  bool operator<(const BrickPlace& other) const
+  {
+    return std::make_pair(this->Slab, this->Brick) < std::make_pair(other.Slab, other.Brick);
+  }
+};
+
+/// A box of texels that goes to another place of the same texture. Where the two overlap the new
+/// one lies lower along z, and nowhere else.
+struct BoxMove
+{
+  Index3 From = { 0, 0, 0 };
+  Index3 To = { 0, 0, 0 };
+  Index3 Size = { 0, 0, 0 };
+};
+
+/// What closes the gaps: moves to be carried out in order, and the bricks that have a new place by
+/// them. Bricks of slabs that move as a whole keep theirs.
+struct Compaction
+{
+  std::vector<BoxMove> Moves;
+  std::vector<std::pair<BrickPlace, BrickPlace>> NewPlaces;
 };
 
 /// Hands out places for bricks. Slabs come and go with the bricks of their level.
@@ -45,6 +66,11 @@ public:
   std::optional<BrickPlace> Allocate(int level);
   void Free(const BrickPlace& place);
 
+  /// Fills the slabs of each level from its emptiest one, and then moves slabs down to where there
+  /// is no gap below them. Afterwards whatever fits the shape beside the present bricks can be
+  /// allocated.
+  Compaction Compact();
+
   int GetLevel(const BrickPlace& place) const { return this->Slabs[place.Slab].Level; }
 
   /// The first texel of the brick at this place.
@@ -62,6 +88,8 @@ private:
     std::vector<int> FreeBricks;
   };
 
+  void MergeSlabs(int level, Compaction& compaction);
+  void CloseGaps(Compaction& compaction);
   std::optional<int> FindGap(int thickness) const;
   int AddSlab(int level, int firstLayer);
 

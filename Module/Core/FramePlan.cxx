@@ -1,6 +1,7 @@
 #include "FramePlan.h"
 
 #include <algorithm>
+#include <map>
 
 namespace flatblock
 {
@@ -60,8 +61,8 @@ void Residency::StartAnew(std::size_t blocks, const std::vector<std::int64_t>& b
   plan.NewPlaces = true;
 }
 
-// Gives every brick its place; false where the gaps between slabs are too narrow.
-bool Residency::Place(const std::vector<std::int8_t>& levels)
+// Gives every brick its place.
+void Residency::Place(const std::vector<std::int8_t>& levels, FramePlan& plan)
 {
   for (std::size_t block = 0; block < levels.size(); ++block)
   {
@@ -75,17 +76,33 @@ bool Residency::Place(const std::vector<std::int8_t>& levels)
   {
     if (levels[block] != NoLevel && !this->Places[block].IsResident())
     {
-      const auto place = this->Atlas.Allocate(levels[block]);
+      auto place = this->Atlas.Allocate(levels[block]);
       if (!place)
       {
-        return false;
+        this->Compact(plan);
+        place = this->Atlas.Allocate(levels[block]);
       }
-      this->Places[block] = *place;
+      this->Places[block] = place.value();
       this->Borders[block][0] = NotUploaded;
     }
   }
   this->Levels = levels;
-  return true;
+}
+
+void Residency::Compact(FramePlan& plan)
+{
+  const Compaction compaction = this->Atlas.Compact();
+  std::map<BrickPlace, BrickPlace> moved(compaction.NewPlaces.begin(), compaction.NewPlaces.end());
+  for (BrickPlace& place : this->Places)
+  {
+    // A brick may go on from where it came to.
+    for (auto next = moved.find(place); next != moved.end(); next = moved.find(place))
+    {
+      place = next->second;
+      moved.erase(next);
+    }
+  }
+  plan.Moves.insert(plan.Moves.end(), compaction.Moves.begin(), compaction.Moves.end());
 }
 
 FramePlan Residency::Plan(const BlockGrid& grid, const std::vector<std::int8_t>& levels,
@@ -103,11 +120,7 @@ FramePlan Residency::Plan(const BlockGrid& grid, const std::vector<std::int8_t>&
   }
   this->Continuity = continuity;
   plan.NewPlaces = plan.NewPlaces || this->Levels != levels;
-  if (!this->Place(levels))
-  {
-    this->StartAnew(levels.size(), bricks, shape, plan);
-    this->Place(levels);
-  }
+  this->Place(levels, plan);
   for (std::size_t block = 0; block < levels.size(); ++block)
   {
     if (levels[block] == NoLevel)

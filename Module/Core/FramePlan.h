@@ -21,8 +21,9 @@ struct BrickUpload
 /// What turns the atlas of the last frame into that of this one.
 struct FramePlan
 {
-  bool NewAtlas = false;  ///< the texture is allocated anew, with nothing in it
-  bool NewPlaces = false; ///< the index texture has to be written
+  bool NewAtlas = false;      ///< the texture is allocated anew, with nothing in it
+  bool NewPlaces = false;     ///< the index texture has to be written
+  std::vector<BoxMove> Moves; ///< within the atlas, in this order, before the uploads
   std::vector<BrickUpload> Uploads;
 };
 
@@ -34,9 +35,10 @@ public:
   void Clear();
 
   /// Plans the frame in which exactly the blocks that have a level are resident, at that level, and
-  /// takes it as carried out. A brick that keeps its level stays in its place, and is uploaded
-  /// again only if its border changes. The atlas is made anew where it is too small for these
-  /// bricks, too large for the shape, or more than twice too large for the bricks.
+  /// takes it as carried out. A brick that keeps its level is uploaded again only if its border
+  /// changes; where there is room in narrow gaps only, bricks move closer together. The atlas is
+  /// made anew where it is too small for these bricks, too large for the shape, or more than twice
+  /// too large for the bricks.
   ///
   /// @param levels       of every block, which together fit the shape
   /// @param continuity   whether borders follow coarser neighbours
@@ -51,7 +53,8 @@ private:
   bool CanKeepAtlas(const std::vector<std::int64_t>& bricks, const AtlasShape& shape) const;
   void StartAnew(std::size_t blocks, const std::vector<std::int64_t>& bricks,
     const AtlasShape& shape, FramePlan& plan);
-  bool Place(const std::vector<std::int8_t>& levels);
+  void Place(const std::vector<std::int8_t>& levels, FramePlan& plan);
+  void Compact(FramePlan& plan);
 
   AtlasAllocator Atlas;
   std::vector<std::int8_t> Levels;

@@ -129,6 +129,34 @@ TEST(Levels, ConvergedPicturesDependOnTheirInputsAlone)
   }
 }
 
+// Bricks that move within the atlas must show what they showed before.
+TEST(Levels, CompactionIsNotSeen)
+{
+  vtkTypeInt64 moved = 0;
+  Scene walked;
+  Prepare(walked, 900000);
+  walked.Mapper->UseCameraAsPointOfInterestOff();
+  std::mt19937 random(4);
+  for (int step = 0; step < 40; ++step)
+  {
+    std::uniform_real_distribution<double> anywhere(-1.5, 1.5);
+    const double point[3] = { anywhere(random), anywhere(random), anywhere(random) };
+    walked.Mapper->SetPointOfInterest(point[0], point[1], point[2]);
+    const auto picture = walked.Draw();
+    moved += walked.Mapper->GetMovedBytes();
+    if (walked.Mapper->GetMovedBytes() > 0)
+    {
+      Scene fresh;
+      Prepare(fresh, 900000);
+      fresh.Mapper->UseCameraAsPointOfInterestOff();
+      fresh.Mapper->SetPointOfInterest(point[0], point[1], point[2]);
+      // Single pixels differ, since bricks at other places round differently.
+      ASSERT_GE(PSNR(picture, fresh.Draw()), 75.0) << "step " << step;
+    }
+  }
+  EXPECT_GT(moved, 0);
+}
+
 TEST(Levels, PointOfInterestIsFinest)
 {
   Scene scene;

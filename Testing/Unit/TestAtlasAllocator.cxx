@@ -148,6 +148,67 @@ TEST(AtlasAllocator, HoldsWhatTheShapeSays)
   }
 }
 
+// After compaction only what is too little for the brick that is asked for is left over.
+TEST(AtlasAllocator, CompactionMakesRoomForWhateverFits)
+{
+  std::mt19937 random(9);
+  const AtlasShape shape({ Sides33, 3'000'000, 100000, 2048 });
+  AtlasAllocator atlas(shape, shape.GetDepth());
+  std::vector<std::vector<BrickPlace>> held(6);
+  const auto count = [&held](int level)
+  {
+    std::vector<std::int64_t> bricks;
+    for (const auto& places : held)
+    {
+      bricks.push_back(static_cast<std::int64_t>(places.size()));
+    }
+    ++bricks[level];
+    return bricks;
+  };
+  int compactions = 0;
+  for (int step = 0; step < 200000; ++step)
+  {
+    const int level = static_cast<int>(random() % 6);
+    auto& places = held[level];
+    if (!places.empty() && random() % 100 < 48)
+    {
+      std::swap(places[random() % places.size()], places.back());
+      atlas.Free(places.back());
+      places.pop_back();
+      continue;
+    }
+    auto place = atlas.Allocate(level);
+    if (!place)
+    {
+      const bool fits = shape.GetDepthOf(count(level)) <= shape.GetDepth();
+      std::map<BrickPlace, BrickPlace> moved;
+      for (const auto& [from, to] : atlas.Compact().NewPlaces)
+      {
+        moved[from] = to;
+      }
+      for (auto& others : held)
+      {
+        for (BrickPlace& other : others)
+        {
+          for (auto next = moved.find(other); next != moved.end(); next = moved.find(other))
+          {
+            other = next->second;
+            moved.erase(next);
+          }
+        }
+      }
+      ++compactions;
+      place = atlas.Allocate(level);
+      ASSERT_EQ(place.has_value(), fits) << "step " << step;
+    }
+    if (place)
+    {
+      places.push_back(*place);
+    }
+  }
+  EXPECT_GT(compactions, 0);
+}
+
 TEST(AtlasAllocator, HandsOutFreedPlacesAgain)
 {
   AtlasAllocator atlas(AtlasShape({ Sides33, 33 * 33 * 33 * 2, 2, 2048 }), 33);
