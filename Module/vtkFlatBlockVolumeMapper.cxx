@@ -1,65 +1,22 @@
 #include "vtkFlatBlockVolumeMapper.h"
 
-#include "FlatBlockVolumeInput.h"
-#include "MemoryCounter.h"
-#include "Refinement.h"
-#include "vtkFlatBlockBuilder.h"
-#include "vtkFlatBlockLevels.h"
-#include "vtkFlatBlockTransferFunction.h"
-#include "vtkOpenGLFlatBlockAtlas.h"
-#include "vtkOpenGLFlatBlockRayCaster.h"
-#include "vtkOpenGLFlatBlockSceneDepth.h"
+#include "vtkFlatBlockVolumeMapperInternals.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <stdexcept>
-#include <vector>
+#include <exception>
 
 vtkStandardNewMacro(vtkFlatBlockVolumeMapper);
-
-// The stages, in the order in which data flows through them.
-struct vtkFlatBlockVolumeMapper::vtkInternals
-{
-  vtkInternals()
-  {
-    this->Atlas->SetMemoryCounter(&this->Memory);
-    this->RayCaster->SetMemoryCounter(&this->Memory);
-  }
-
-  flatblock::MemoryCounter Memory; // outlives those who count in it
-  vtkNew<vtkFlatBlockBuilder> Builder;
-  vtkNew<vtkFlatBlockTransferFunction> TransferFunction;
-  std::vector<std::uint8_t> VisibleBlocks;
-  vtkNew<vtkFlatBlockLevels> Levels;
-  flatblock::Residency Residency;
-  vtkNew<vtkOpenGLFlatBlockAtlas> Atlas;
-  vtkNew<vtkOpenGLFlatBlockRayCaster> RayCaster;
-
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the textures
-  flatblock::VolumeInput Input;
-  vtkTimeStamp VisibleBlocksTime;
-  vtkTimeStamp TransferTextureTime;
-  vtkTypeInt64 UploadedBytes = 0;
-  vtkTypeInt64 MovedBytes = 0;
-  bool WasConverged = true;
-  std::string LastError;
-  std::string LastWarning;
-};
 
 vtkFlatBlockVolumeMapper::vtkFlatBlockVolumeMapper() : Internals(std::make_unique<vtkInternals>())
 {
@@ -92,8 +49,8 @@ void vtkFlatBlockVolumeMapper::SetBlockSize(int samples)
 void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
-  in.UploadedBytes = 0;
-  in.MovedBytes = 0;
+  in.Statistics.UploadedBytes = 0;
+  in.Statistics.MovedBytes = 0;
   in.Memory.ResetPeak();
   if (renderer->GetSelector())
   {
@@ -134,128 +91,6 @@ double* vtkFlatBlockVolumeMapper::GetBounds()
   return bounds;
 }
 
-void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)
-{
-  vtkInternals& in = *this->Internals;
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window)
-  {
-    throw std::runtime_error("The render window does not use OpenGL.");
-  }
-  if (in.Window && in.Window != window)
-  {
-    this->ReleaseGraphicsResources(in.Window);
-    window->MakeCurrent();
-  }
-  in.Window = window;
-  if (!volume || !volume->GetProperty())
-  {
-    throw std::runtime_error("The volume has no vtkVolumeProperty.");
-  }
-  if (this->BlendMode != COMPOSITE_BLEND)
-  {
-    throw std::runtime_error("Only composite blending is supported, not blend mode " +
-                             std::to_string(this->BlendMode) + ".");
-  }
-  in.Input = flatblock::GetVolumeInput(*this);
-  this->WarnAboutIgnoredSettings(volume);
-  this->UpdateBlocks();
-  this->UpdateTransferTable(volume);
-  this->UpdateAtlas(renderer, volume);
-
-  vtkOpenGLFlatBlockRayCaster::Scene scene;
-  scene.Source = &in.Builder->GetSource();
-  scene.Atlas = in.Atlas;
-  scene.SampleToDataSet = in.Input.SampleToDataSet;
-  scene.DataSetToWorld = volume->GetMatrix();
-  scene.Step = this->GetStep();
-  scene.LinearInterpolation =
-    volume->GetProperty()->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
-  if (!in.RayCaster->Draw(renderer, scene))
-  {
-    throw std::runtime_error("The ray caster's shader could not be built.");
-  }
-}
-
-void vtkFlatBlockVolumeMapper::UpdateBlocks()
-{
-  vtkInternals& in = *this->Internals;
-  if (in.Builder->Update(in.Input.Image, in.Input.Scalars, this->BlockSize))
-  {
-    in.Residency.Clear();
-  }
-}
-
-// The table, and the blocks that it shows.
-void vtkFlatBlockVolumeMapper::UpdateTransferTable(vtkVolume* volume)
-{
-  vtkInternals& in = *this->Internals;
-  in.TransferFunction->Update(volume->GetProperty(), in.Builder->GetRange(), this->GetStep());
-  const flatblock::TransferTable& table = in.TransferFunction->GetTable();
-  if (std::max(in.TransferFunction->GetMTime(), in.Builder->GetMTime()) > in.VisibleBlocksTime)
-  {
-    const auto& ranges = in.Builder->GetBlockRanges();
-    in.VisibleBlocks.resize(ranges.size());
-    std::transform(ranges.begin(), ranges.end(), in.VisibleBlocks.begin(),
-      [&table](const flatblock::ValueRange& range) -> std::uint8_t
-      { return !table.IsTransparent(range.Lowest, range.Highest); });
-    in.VisibleBlocksTime.Modified();
-  }
-}
-
-vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer) const
-{
-  const vtkInternals& in = *this->Internals;
-  const int* size = renderer->GetSize();
-  const auto table =
-    in.TransferFunction->GetTable().GetEntries().size() * sizeof(flatblock::TransferTable::Entry);
-  return vtkOpenGLFlatBlockAtlas::GetIndexBytes(this->GetNumberOfBlocks()) +
-         vtkOpenGLFlatBlockSceneDepth::GetBytes(size[0], size[1]) +
-         static_cast<vtkTypeInt64>(table);
-}
-
-void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* volume)
-{
-  vtkInternals& in = *this->Internals;
-  vtkNew<vtkMatrix4x4> sampleToWorld;
-  vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), in.Input.SampleToDataSet, sampleToWorld);
-  vtkFlatBlockLevels::Limits limits;
-  limits.MaxMemoryInBytes = this->MaxMemoryInBytes;
-  limits.BytesBesideAtlas = this->GetBytesBesideAtlas(renderer);
-  limits.LargestTexture = vtkOpenGLFlatBlockAtlas::GetLargestTexture(in.Window);
-  limits.NumberOfLevels = this->NumberOfLevels;
-  limits.PointOfInterest = this->UseCameraAsPointOfInterest
-                             ? renderer->GetActiveCamera()->GetPosition()
-                             : this->PointOfInterest;
-  double viewPlanes[24];
-  renderer->GetActiveCamera()->GetFrustumPlanes(renderer->GetTiledAspectRatio(), viewPlanes);
-  limits.ViewPlanes = viewPlanes;
-  limits.SampleToWorld = sampleToWorld;
-  in.Levels->Update(
-    in.Builder->GetSource(), in.VisibleBlocks, in.VisibleBlocksTime.GetMTime(), limits);
-}
-
-// The wanted ones, or what an interactive frame may do towards them.
-std::vector<std::int8_t> vtkFlatBlockVolumeMapper::GetLevelsOfFrame(vtkRenderer* renderer)
-{
-  constexpr double InteractiveUpdateRate = 1.0;
-  const vtkInternals& in = *this->Internals;
-  const std::vector<std::int8_t>& wanted = in.Levels->GetLevels();
-  if (renderer->GetRenderWindow()->GetDesiredUpdateRate() < InteractiveUpdateRate)
-  {
-    return wanted;
-  }
-  const flatblock::BrickSource& source = in.Builder->GetSource();
-  const auto texel =
-    static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(source.GetEncoding().Format));
-  flatblock::RefinementBudget budget;
-  budget.Blocks = static_cast<vtkTypeInt64>(
-    this->RefinementFraction * static_cast<double>(this->GetNumberOfVisibleBlocks()));
-  budget.Texels = this->UploadBytesPerFrame / texel;
-  return flatblock::StepTowards(
-    source.GetGrid(), in.Levels->GetShape(), in.Residency.GetLevels(), wanted, budget);
-}
-
 bool vtkFlatBlockVolumeMapper::GetConverged() const
 {
   const vtkInternals& in = *this->Internals;
@@ -283,54 +118,6 @@ int vtkFlatBlockVolumeMapper::RenderUntilConverged(vtkRenderWindow* window)
     ++frames;
   } while (!this->GetConverged() && this->Internals->LastError.empty());
   return frames;
-}
-
-void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* volume)
-{
-  vtkInternals& in = *this->Internals;
-  if (!in.Atlas->IsAllocated())
-  {
-    in.Residency.Clear();
-  }
-  const flatblock::TransferTable& table = in.TransferFunction->GetTable();
-  in.RayCaster->ReleaseStale(renderer, table);
-  this->UpdateLevels(renderer, volume);
-  const flatblock::BrickSource& source = in.Builder->GetSource();
-  const auto plan = [&]
-  {
-    return in.Residency.Plan(source.GetGrid(), this->GetLevelsOfFrame(renderer),
-      in.Levels->GetShape(), this->InterblockContinuity);
-  };
-  flatblock::FramePlan frame = plan();
-  if (!frame.Moves.empty() && !vtkOpenGLFlatBlockAtlas::CanMove())
-  {
-    in.Residency.Clear();
-    frame = plan();
-  }
-  if (!in.Atlas->Execute(in.Window, frame, in.Residency, source))
-  {
-    const flatblock::Index3 size = in.Residency.GetAtlas().GetTextureSize();
-    throw std::runtime_error("The graphics card has no memory for an atlas of " +
-                             std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
-                             std::to_string(size[2]) + " texels.");
-  }
-  in.UploadedBytes = in.Atlas->GetUploadedBytes();
-  in.MovedBytes = in.Atlas->GetMovedBytes();
-  if (!in.RayCaster->HasTransferTable() || in.TransferFunction->GetMTime() > in.TransferTextureTime)
-  {
-    in.RayCaster->SetTransferTable(in.Window, table);
-    in.TransferTextureTime.Modified();
-  }
-}
-
-// A float has 24 bits: with more samples a ray, neighbours could fall together.
-double vtkFlatBlockVolumeMapper::GetStep() const
-{
-  constexpr double MostSamples = 1 << 20;
-  const flatblock::VolumeInput& input = this->Internals->Input;
-  const double wanted =
-    this->SampleDistance > 0.0 ? this->SampleDistance : 0.5 * input.SmallestSpacing;
-  return std::max(wanted, input.Diagonal / MostSamples);
 }
 
 void vtkFlatBlockVolumeMapper::WarnAboutIgnoredSettings(vtkVolume* volume)
@@ -400,12 +187,40 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetAtlasBytes() const
 
 vtkTypeInt64 vtkFlatBlockVolumeMapper::GetMovedBytes() const
 {
-  return this->Internals->MovedBytes;
+  return this->Internals->Statistics.MovedBytes;
 }
 
 vtkTypeInt64 vtkFlatBlockVolumeMapper::GetUploadedBytes() const
 {
-  return this->Internals->UploadedBytes;
+  return this->Internals->Statistics.UploadedBytes;
+}
+
+void vtkFlatBlockVolumeMapper::PrintStatistics(ostream& os)
+{
+  const vtkInternals& in = *this->Internals;
+  const flatblock::AtlasAllocator& atlas = in.Residency.GetAtlas();
+  const vtkTypeInt64 texel = atlas.GetTexels() > 0 ? this->GetAtlasBytes() / atlas.GetTexels() : 0;
+  const vtkTypeInt64 used = atlas.GetUsedTexels() * texel;
+  const vtkTypeInt64 free = atlas.GetFreeTexels() * texel;
+  os << "Blocks: " << this->GetNumberOfBlocks() << "\n";
+  os << "Visible blocks: " << this->GetNumberOfVisibleBlocks() << "\n";
+  os << "Bricks by level:";
+  for (int level = 0; level < 7; ++level)
+  {
+    os << " " << this->GetNumberOfBricks(level);
+  }
+  os << "\nGraphics memory: " << this->GetMemoryInBytes() << " of " << this->MaxMemoryInBytes
+     << " bytes\n";
+  os << "Atlas: " << used << " bytes used, " << free << " free, "
+     << this->GetAtlasBytes() - used - free << " unusable\n";
+  os << "Last frame: " << in.Statistics.UploadedBytes << " bytes uploaded, "
+     << in.Statistics.MovedBytes << " moved\n";
+  os << "Levels reached: " << 100.0 * in.Levels->GetShareReached(in.Residency.GetLevels())
+     << " %\n";
+  os << "Frames since the last change: " << in.Statistics.FramesSinceChange << "\n";
+  os << "Milliseconds: ranges " << in.Statistics.RangeMilliseconds << ", selection "
+     << in.Statistics.SelectionMilliseconds << ", upload " << in.Statistics.UploadMilliseconds
+     << ", draw " << in.Statistics.DrawMilliseconds << "\n";
 }
 
 void vtkFlatBlockVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)

@@ -156,6 +156,12 @@ public:
   ///@}
 
   /**
+   * Prints all these, what the atlas has left, how many frames ago something last changed, and what
+   * each stage of the last frame took on the CPU.
+   */
+  void PrintStatistics(ostream& os);
+
+  /**
    * Draws the volume. Called by vtkVolume.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;

@@ -201,6 +201,22 @@ std::int64_t AtlasAllocator::GetUsedTexels() const
   return texels;
 }
 
+std::int64_t AtlasAllocator::GetFreeTexels() const
+{
+  std::int64_t texels = 0;
+  std::int64_t layers = this->Depth;
+  for (const Slab& slab : this->Slabs)
+  {
+    if (slab.Level >= 0)
+    {
+      const std::int64_t side = this->Shape.GetSide(slab.Level);
+      texels += static_cast<std::int64_t>(slab.FreeBricks.size()) * side * side * side;
+      layers -= side;
+    }
+  }
+  return texels + layers * this->Shape.GetWidth() * this->Shape.GetHeight();
+}
+
 std::int64_t AtlasAllocator::GetTexels() const
 {
   const Index3 size = this->GetTextureSize();

@@ -76,8 +76,10 @@ public:
   /// The first texel of the brick at this place.
   Index3 GetOrigin(const BrickPlace& place) const;
 
-  /// Texels that lie in bricks, and texels in all.
+  /// Texels that lie in bricks; that can hold further ones, in begun slabs and in layers without a
+  /// slab; and in all.
   std::int64_t GetUsedTexels() const;
+  std::int64_t GetFreeTexels() const;
   std::int64_t GetTexels() const;
 
 private:

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <sstream>
 
 using namespace flatblock::testing;
 
@@ -220,6 +221,22 @@ TEST(Levels, StillsConvergeBeforeTheyAreShown)
   Scene fresh;
   Prepare(fresh, 800000);
   EXPECT_LE(LargestDifference(picture, fresh.Draw()), 1.0);
+}
+
+TEST(Levels, StatisticsAreComplete)
+{
+  Scene scene;
+  Prepare(scene, 800000);
+  scene.Draw();
+  scene.Draw();
+  std::ostringstream printed;
+  scene.Mapper->PrintStatistics(printed);
+  for (const char* words : { "Blocks: 512", "Visible blocks: ", "Bricks by level: ", "unusable",
+         "0 bytes uploaded, 0 moved", "Levels reached: 100 %", "Frames since the last change: 1",
+         "Milliseconds: ranges " })
+  {
+    EXPECT_NE(printed.str().find(words), std::string::npos) << words << "\n" << printed.str();
+  }
 }
 
 TEST(Levels, TooLittleMemoryIsSaid)

@@ -122,6 +122,8 @@ TEST(AtlasAllocator, PlacesNeverOverlapNorLeak)
     used += counts[level] * shape.GetSide(level) * shape.GetSide(level) * shape.GetSide(level);
   }
   EXPECT_EQ(atlas.GetUsedTexels(), used);
+  EXPECT_LE(atlas.GetUsedTexels() + atlas.GetFreeTexels(), atlas.GetTexels());
+  EXPECT_GE(atlas.GetUsedTexels() + atlas.GetFreeTexels(), atlas.GetTexels() * 90 / 100);
   for (auto& [level, places] : held)
   {
     for (const BrickPlace& place : places)
@@ -130,6 +132,7 @@ TEST(AtlasAllocator, PlacesNeverOverlapNorLeak)
     }
   }
   EXPECT_EQ(atlas.GetUsedTexels(), 0);
+  EXPECT_EQ(atlas.GetFreeTexels(), atlas.GetTexels());
   EXPECT_TRUE(atlas.Allocate(0)); // all slabs are gone: there is room for the thickest
 }
 

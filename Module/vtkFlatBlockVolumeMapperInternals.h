@@ -1,0 +1,84 @@
+/// What vtkFlatBlockVolumeMapper is made of.
+#pragma once
+
+#include "FlatBlockVolumeInput.h"
+#include "FramePlan.h"
+#include "MemoryCounter.h"
+#include "vtkFlatBlockBuilder.h"
+#include "vtkFlatBlockLevels.h"
+#include "vtkFlatBlockTransferFunction.h"
+#include "vtkFlatBlockVolumeMapper.h"
+#include "vtkOpenGLFlatBlockAtlas.h"
+#include "vtkOpenGLFlatBlockRayCaster.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace flatblock
+{
+/// What the last frame did.
+struct FrameStatistics
+{
+  vtkTypeInt64 UploadedBytes = 0;
+  vtkTypeInt64 MovedBytes = 0;
+  vtkTypeInt64 FramesSinceChange = 0;
+  double RangeMilliseconds = 0.0;     ///< block ranges and transfer table
+  double SelectionMilliseconds = 0.0; ///< levels, and their places
+  double UploadMilliseconds = 0.0;    ///< bricks and tables to the graphics card
+  double DrawMilliseconds = 0.0;      ///< commands of the ray caster, not their execution
+};
+
+/// Adds the time until it goes out of scope.
+class StageTimer
+{
+public:
+  explicit StageTimer(double& milliseconds) : Milliseconds(milliseconds) {}
+  ~StageTimer()
+  {
+    const std::chrono::duration<double, std::milli> taken =
+      std::chrono::steady_clock::now() - this->Start;
+    this->Milliseconds += taken.count();
+  }
+  StageTimer(const StageTimer&) = delete;
+  void operator=(const StageTimer&) = delete;
+
+private:
+  double& Milliseconds;
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+} // namespace flatblock
+
+// The stages, in the order in which data flows through them.
+struct vtkFlatBlockVolumeMapper::vtkInternals
+{
+  vtkInternals()
+  {
+    this->Atlas->SetMemoryCounter(&this->Memory);
+    this->RayCaster->SetMemoryCounter(&this->Memory);
+  }
+
+  flatblock::MemoryCounter Memory; // outlives those who count in it
+  vtkNew<vtkFlatBlockBuilder> Builder;
+  vtkNew<vtkFlatBlockTransferFunction> TransferFunction;
+  std::vector<std::uint8_t> VisibleBlocks;
+  vtkNew<vtkFlatBlockLevels> Levels;
+  flatblock::Residency Residency;
+  vtkNew<vtkOpenGLFlatBlockAtlas> Atlas;
+  vtkNew<vtkOpenGLFlatBlockRayCaster> RayCaster;
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the textures
+  flatblock::VolumeInput Input;
+  vtkTimeStamp VisibleBlocksTime;
+  vtkTimeStamp TransferTextureTime;
+  flatblock::FrameStatistics Statistics;
+  bool WasConverged = true;
+  std::string LastError;
+  std::string LastWarning;
+};

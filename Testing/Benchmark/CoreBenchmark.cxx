@@ -1,0 +1,87 @@
+// Block ranges against a plain minimum and maximum of the same memory, and the selection of levels.
+#include "BlockGrid.h"
+#include "BlockRanges.h"
+#include "LodSelector.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+using flatblock::AtlasShape;
+using flatblock::BlockGrid;
+
+namespace
+{
+std::vector<std::uint16_t> MakeSamples(int n)
+{
+  std::mt19937 random(1);
+  std::vector<std::uint16_t> samples(std::size_t(n) * n * n);
+  std::generate(samples.begin(), samples.end(), [&] { return std::uint16_t(random()); });
+  return samples;
+}
+
+void BlockRanges(benchmark::State& state)
+{
+  const int n = static_cast<int>(state.range(0));
+  const auto samples = MakeSamples(n);
+  const BlockGrid grid({ n, n, n }, static_cast<int>(state.range(1)));
+  std::vector<flatblock::ValueRange> ranges(grid.GetNumberOfBlocks());
+  for ([[maybe_unused]] auto _ : state)
+  {
+    flatblock::ComputeBlockRanges(
+      samples.data(), grid.GetSamples(), grid.GetCellsPerBlock(), grid.GetBlocks(), ranges.data());
+    benchmark::DoNotOptimize(ranges.data());
+  }
+  state.SetBytesProcessed(state.iterations() * std::int64_t(samples.size() * sizeof(samples[0])));
+}
+BENCHMARK(BlockRanges)
+  ->ArgsProduct({ { 512 }, { 17, 33, 65 } })
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
+
+void PlainMinMax(benchmark::State& state)
+{
+  const auto samples = MakeSamples(static_cast<int>(state.range(0)));
+  const auto count = static_cast<std::int64_t>(samples.size());
+  const std::uint16_t* values = samples.data();
+  for ([[maybe_unused]] auto _ : state)
+  {
+    std::uint16_t lowest = 65535;
+    std::uint16_t highest = 0;
+#pragma omp parallel for simd reduction(min : lowest) reduction(max : highest)
+    for (std::int64_t i = 0; i < count; ++i)
+    {
+      lowest = std::min(lowest, values[i]);
+      highest = std::max(highest, values[i]);
+    }
+    benchmark::DoNotOptimize(lowest);
+    benchmark::DoNotOptimize(highest);
+  }
+  state.SetBytesProcessed(state.iterations() * count * std::int64_t(sizeof(samples[0])));
+}
+BENCHMARK(PlainMinMax)->Arg(512)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+// A decision is a block that is refined by one level or left as it is.
+void SelectLevels(benchmark::State& state)
+{
+  const int n = 16 * static_cast<int>(state.range(0)) + 1;
+  const BlockGrid grid({ n, n, n }, 17);
+  const std::int64_t blocks = grid.GetNumberOfBlocks();
+  const AtlasShape shape({ { 17, 9, 5, 3, 2 }, blocks * 1200, blocks, 16384 });
+  const std::vector<std::uint8_t> visible(blocks, 1);
+  std::int64_t decisions = 0;
+  for ([[maybe_unused]] auto _ : state)
+  {
+    const auto levels = flatblock::SelectLevels(grid, shape, visible, {});
+    for (const std::int8_t level : *levels)
+    {
+      decisions += 3 - level + (level > 0 ? 1 : 0);
+    }
+  }
+  state.SetItemsProcessed(decisions);
+}
+BENCHMARK(SelectLevels)->Arg(20)->Arg(74)->Unit(benchmark::kMillisecond);
+} // namespace
