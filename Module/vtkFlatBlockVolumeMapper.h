@@ -98,7 +98,8 @@ public:
   ///@{
   /**
    * What an interactive frame may do to reach the levels that are wanted: the share of the visible
-   * blocks that change (default 0.1), and bytes of bricks (default 16 MiB). A frame is interactive
+   * blocks that change (default 0.1), and bytes of the bricks that these get (default 16 MiB);
+   * bricks whose border follows a neighbour that has changed come on top. A frame is interactive
    * where the render window's desired update rate is 1 or more, as with vtkSmartVolumeMapper; all
    * others are converged before they are shown.
    */
