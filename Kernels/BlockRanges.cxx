@@ -5,45 +5,77 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <vector>
 
 namespace flatblock
 {
 namespace
 {
+// Extremes of all samples of a row of blocks that have the same x: rows of samples are long, and
+// what is done to each of their samples is the same, so that the compiler makes vectors of them.
 template <typename T>
-struct Extremes
+class Columns
 {
-  T Lowest = std::numeric_limits<T>::max();
-  T Highest = std::numeric_limits<T>::lowest();
-  bool HasBelow = false;
-  bool HasAbove = false;
-
-  void Add(const T* values, int count)
+public:
+  explicit Columns(int count)
+    : Lowest(count, std::numeric_limits<T>::max()),
+      Highest(count, std::numeric_limits<T>::lowest()),
+      NotFinite(std::is_floating_point_v<T> ? count : 0, 0)
   {
-    T lowest = this->Lowest;
-    T highest = this->Highest;
-    for (int i = 0; i < count; ++i)
+  }
+
+  void Add(const T* row)
+  {
+    T* lowest = this->Lowest.data();
+    T* highest = this->Highest.data();
+    const auto count = static_cast<std::ptrdiff_t>(this->Lowest.size());
+    for (std::ptrdiff_t x = 0; x < count; ++x)
     {
-      const T v = values[i];
+      const T v = row[x];
       if constexpr (std::is_floating_point_v<T>)
       {
-        if (!std::isfinite(v))
-        {
-          this->HasAbove = this->HasAbove || v > T(0);
-          this->HasBelow = this->HasBelow || !(v > T(0));
-          continue;
-        }
+        const bool isFinite = std::isfinite(v);
+        lowest[x] = isFinite && v < lowest[x] ? v : lowest[x];
+        highest[x] = isFinite && v > highest[x] ? v : highest[x];
+        this->NotFinite[x] |= isFinite ? 0 : (v > T(0) ? Above : Below);
       }
-      lowest = v < lowest ? v : lowest;
-      highest = v > highest ? v : highest;
+      else
+      {
+        lowest[x] = v < lowest[x] ? v : lowest[x];
+        highest[x] = v > highest[x] ? v : highest[x];
+      }
     }
-    this->Lowest = lowest;
-    this->Highest = highest;
   }
+
+  ValueRange GetRange(int first, int last) const
+  {
+    const T lowest =
+      *std::min_element(this->Lowest.begin() + first, this->Lowest.begin() + last + 1);
+    const T highest =
+      *std::max_element(this->Highest.begin() + first, this->Highest.begin() + last + 1);
+    ValueRange range;
+    if (lowest <= highest)
+    {
+      range.Lowest = static_cast<double>(lowest);
+      range.Highest = static_cast<double>(highest);
+    }
+    for (int x = first; x <= last && !this->NotFinite.empty(); ++x)
+    {
+      range.HasBelow = range.HasBelow || (this->NotFinite[x] & Below) != 0;
+      range.HasAbove = range.HasAbove || (this->NotFinite[x] & Above) != 0;
+    }
+    return range;
+  }
+
+private:
+  static constexpr std::uint8_t Below = 1;
+  static constexpr std::uint8_t Above = 2;
+
+  std::vector<T> Lowest;
+  std::vector<T> Highest;
+  std::vector<std::uint8_t> NotFinite;
 };
 
-// Every sample is read once for the block that it lies in, and the shared border samples once more
-// for each neighbour.
 template <typename T>
 void ComputeRowOfBlocks(const T* samples, const std::array<int, 3>& dims, int cells, int blockCount,
   int blockY, int blockZ, ValueRange* ranges)
@@ -52,28 +84,18 @@ void ComputeRowOfBlocks(const T* samples, const std::array<int, 3>& dims, int ce
   const int firstZ = blockZ * cells;
   const int lastY = std::min(firstY + cells, dims[1] - 1);
   const int lastZ = std::min(firstZ + cells, dims[2] - 1);
-  for (int blockX = 0; blockX < blockCount; ++blockX)
+  Columns<T> columns(dims[0]);
+  for (int z = firstZ; z <= lastZ; ++z)
   {
-    const int firstX = blockX * cells;
-    const int count = std::min(firstX + cells, dims[0] - 1) - firstX + 1;
-    Extremes<T> extremes;
-    for (int z = firstZ; z <= lastZ; ++z)
+    for (int y = firstY; y <= lastY; ++y)
     {
-      for (int y = firstY; y <= lastY; ++y)
-      {
-        const auto row = (static_cast<std::size_t>(z) * dims[1] + y) * dims[0];
-        extremes.Add(samples + row + firstX, count);
-      }
+      columns.Add(samples + (static_cast<std::size_t>(z) * dims[1] + y) * dims[0]);
     }
-    ValueRange& range = ranges[blockX];
-    range = ValueRange();
-    if (extremes.Lowest <= extremes.Highest)
-    {
-      range.Lowest = static_cast<double>(extremes.Lowest);
-      range.Highest = static_cast<double>(extremes.Highest);
-    }
-    range.HasBelow = extremes.HasBelow;
-    range.HasAbove = extremes.HasAbove;
+  }
+  for (int block = 0; block < blockCount; ++block)
+  {
+    const int first = block * cells;
+    ranges[block] = columns.GetRange(first, std::min(first + cells, dims[0] - 1));
   }
 }
 } // namespace
