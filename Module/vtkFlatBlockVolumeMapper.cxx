@@ -59,6 +59,7 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   try
   {
     this->DrawFrame(renderer, volume);
+    ++in.Frames;
     in.LastError.clear();
     this->ReportProgress();
   }
@@ -111,12 +112,15 @@ void vtkFlatBlockVolumeMapper::ReportProgress()
 
 int vtkFlatBlockVolumeMapper::RenderUntilConverged(vtkRenderWindow* window)
 {
+  const vtkInternals& in = *this->Internals;
   int frames = 0;
+  vtkTypeInt64 drawnBefore;
   do
   {
+    drawnBefore = in.Frames;
     window->Render();
     ++frames;
-  } while (!this->GetConverged() && this->Internals->LastError.empty());
+  } while (in.Frames > drawnBefore && !this->GetConverged() && in.LastError.empty());
   return frames;
 }
 

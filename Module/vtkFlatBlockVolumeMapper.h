@@ -116,7 +116,8 @@ public:
   bool GetConverged() const;
 
   /**
-   * Renders the window until this mapper, which draws in it, has converged.
+   * Renders the window until this mapper, which draws in it, has converged; stops where the window
+   * does not draw it, as when its volume is hidden, and where it cannot draw.
    * @return the number of frames
    */
   int RenderUntilConverged(vtkRenderWindow* window);

@@ -78,6 +78,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkTimeStamp VisibleBlocksTime;
   vtkTimeStamp TransferTextureTime;
   flatblock::FrameStatistics Statistics;
+  vtkTypeInt64 Frames = 0; // drawn so far
   bool WasConverged = true;
   std::string LastError;
   std::string LastWarning;

@@ -27,10 +27,7 @@ int GetDepthAttachment(unsigned int parameter)
 constexpr int WithStencil = -1;
 int GetDepthFormat()
 {
-  int stencilBits = 0;
-  glGetFramebufferAttachmentParameteriv(
-    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE, &stencilBits);
-  if (stencilBits > 0)
+  if (GetDepthAttachment(GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE) > 0)
   {
     return WithStencil;
   }

@@ -207,6 +207,21 @@ TEST(Levels, InteractiveFramesRefineWithinTheirBudget)
   EXPECT_EQ(progress.back(), 1.0);
 }
 
+TEST(Levels, HiddenVolumesAreNotWaitedFor)
+{
+  Scene scene;
+  Prepare(scene, 800000);
+  scene.Mapper->SetRefinementFraction(0.01);
+  scene.Window->SetDesiredUpdateRate(15.0);
+  scene.Draw();
+  ASSERT_FALSE(scene.Mapper->GetConverged());
+  scene.Volume->VisibilityOff();
+  EXPECT_EQ(scene.Mapper->RenderUntilConverged(scene.Window), 1);
+  scene.Volume->VisibilityOn();
+  scene.Mapper->RenderUntilConverged(scene.Window);
+  EXPECT_TRUE(scene.Mapper->GetConverged());
+}
+
 TEST(Levels, StillsConvergeBeforeTheyAreShown)
 {
   Scene scene;

@@ -49,6 +49,30 @@ struct Bytes
   const unsigned char* Begin;
   vtkIdType Count;
 };
+
+struct Difference
+{
+  double MeanSquare = 255.0 * 255.0; // as between black and white: pictures of unequal sizes
+  int Largest = 255;
+};
+
+Difference Compare(vtkImageData* a, vtkImageData* b)
+{
+  const Bytes left(a);
+  const Bytes right(b);
+  if (left.Count != right.Count)
+  {
+    return {};
+  }
+  Difference result{ 0.0, 0 };
+  for (vtkIdType i = 0; i < left.Count; ++i)
+  {
+    const int difference = std::abs(int(left.Begin[i]) - int(right.Begin[i]));
+    result.MeanSquare += double(difference) * difference / static_cast<double>(left.Count);
+    result.Largest = std::max(result.Largest, difference);
+  }
+  return result;
+}
 } // namespace
 
 Scene::Scene()
@@ -148,36 +172,13 @@ vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window)
 
 double PSNR(vtkImageData* a, vtkImageData* b)
 {
-  const Bytes left(a);
-  const Bytes right(b);
-  if (left.Count != right.Count)
-  {
-    return 0.0;
-  }
-  double squares = 0.0;
-  for (vtkIdType i = 0; i < left.Count; ++i)
-  {
-    const double difference = double(left.Begin[i]) - double(right.Begin[i]);
-    squares += difference * difference;
-  }
-  const double mean = squares / static_cast<double>(left.Count);
+  const double mean = Compare(a, b).MeanSquare;
   return mean > 0.0 ? std::min(200.0, 10.0 * std::log10(255.0 * 255.0 / mean)) : 200.0;
 }
 
 double LargestDifference(vtkImageData* a, vtkImageData* b)
 {
-  const Bytes left(a);
-  const Bytes right(b);
-  if (left.Count != right.Count)
-  {
-    return 255.0;
-  }
-  int largest = 0;
-  for (vtkIdType i = 0; i < left.Count; ++i)
-  {
-    largest = std::max(largest, std::abs(int(left.Begin[i]) - int(right.Begin[i])));
-  }
-  return largest;
+  return Compare(a, b).Largest;
 }
 
 bool ShowsSomething(vtkImageData* picture)
