@@ -14,17 +14,21 @@ namespace flatblock
 ///   all their digits in single precision
 /// - other types: float, error <= scale / 2^24; NaN becomes 0, infinities become 0 or 1
 template <typename T, typename Texel>
-struct TexelEncoder
+class TexelEncoder
 {
-  double Offset = 0.0;
-  double Scale = 1.0;
+public:
+  TexelEncoder() = default;
+  explicit TexelEncoder(double offset, double scale = 1.0)
+    : Offset(static_cast<Number>(offset)), Scale(scale)
+  {
+  }
 
   Texel operator()(T value) const
   {
     if constexpr (std::is_integral_v<Texel>)
     {
       static_assert(std::is_integral_v<T> && sizeof(T) == sizeof(Texel));
-      return static_cast<Texel>(static_cast<int>(value) - static_cast<int>(this->Offset));
+      return static_cast<Texel>(static_cast<Number>(value) - this->Offset);
     }
     else
     {
@@ -32,6 +36,12 @@ struct TexelEncoder
       return texel > 0.0 ? static_cast<Texel>(std::min(texel, 1.0)) : Texel(0);
     }
   }
+
+private:
+  using Number = std::conditional_t<std::is_integral_v<Texel>, int, double>;
+
+  Number Offset = 0;
+  double Scale = 1.0;
 };
 
 /// Writes side^3 texels, x fastest: the samples from `first` on, at a stride along each axis.
@@ -51,9 +61,16 @@ void CopyBrick(const T* samples, const std::array<int, 3>& dims, const std::arra
     {
       const int y = std::min(first[1] + j * stride, dims[1] - 1);
       const T* row = samples + (static_cast<std::size_t>(z) * dims[1] + y) * dims[0];
-      for (int i = 0; i < inside; ++i)
+      if (stride == 1)
       {
-        *brick++ = encode(row[first[0] + i * stride]);
+        brick = std::transform(row + first[0], row + first[0] + inside, brick, encode);
+      }
+      else
+      {
+        for (int i = 0; i < inside; ++i)
+        {
+          *brick++ = encode(row[first[0] + i * stride]);
+        }
       }
       brick = std::fill_n(brick, side - inside, encode(row[dims[0] - 1]));
     }

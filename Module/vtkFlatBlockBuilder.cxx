@@ -2,6 +2,7 @@
 
 #include "BrickBorder.h"
 #include "BrickCopy.h"
+#include "BrickFilter.h"
 
 #include "vtkBitArray.h"
 #include "vtkDataArray.h"
@@ -43,31 +44,69 @@ template <typename T>
 class ImageBrickSource : public flatblock::BrickSource
 {
 public:
-  ImageBrickSource(
-    const flatblock::BlockGrid& grid, const T* samples, const flatblock::TexelEncoding& encoding)
-    : Grid(grid), Samples(samples), Encoding(encoding)
+  ImageBrickSource(const flatblock::BlockGrid& grid, const T* samples,
+    const flatblock::TexelEncoding& encoding, flatblock::LevelFilter filter)
+    : Grid(grid), Samples(samples), Encoding(encoding), Filter(filter)
   {
   }
 
   const flatblock::BlockGrid& GetGrid() const override { return this->Grid; }
   const flatblock::TexelEncoding& GetEncoding() const override { return this->Encoding; }
+  flatblock::Continuity GetContinuity() const override
+  {
+    return this->Filter == flatblock::LevelFilter::Subsample ? flatblock::Continuity::Nested
+                                                             : flatblock::Continuity::Filtered;
+  }
 
   void ReadBrick(std::int64_t block, int level, const flatblock::BlockBorder& border,
     void* texels) const override
   {
-    const flatblock::TexelEncoder<T, TexelOf<T>> encode{ this->Encoding.Offset,
-      this->Encoding.Scale };
-    const int side = this->Grid.GetBrickSide(level);
-    auto* brick = static_cast<TexelOf<T>*>(texels);
-    flatblock::CopyBrick(this->Samples, this->Grid.GetSamples(), this->Grid.GetFirstSample(block),
-      side, 1 << level, encode, brick);
-    flatblock::BrickBorder<TexelOf<T>>(brick, side).Coarsen(border);
+    auto* brick = static_cast<Texel*>(texels);
+    if (this->Filter == flatblock::LevelFilter::Subsample)
+    {
+      flatblock::CopyBrick(this->Samples, this->Grid.GetSamples(), this->Grid.GetFirstSample(block),
+        this->Grid.GetBrickSide(level), 1 << level, this->GetEncoder(), brick);
+    }
+    else
+    {
+      this->ReadFilteredBrick(block, level, border, brick);
+    }
+    flatblock::BrickBorder<Texel>(brick, this->Grid.GetBrickSide(level)).Coarsen(border);
   }
 
 private:
+  using Texel = TexelOf<T>;
+
+  flatblock::TexelEncoder<T, Texel> GetEncoder() const
+  {
+    return flatblock::TexelEncoder<T, Texel>(this->Encoding.Offset, this->Encoding.Scale);
+  }
+
+  void ReadFilteredBrick(
+    std::int64_t block, int level, const flatblock::BlockBorder& border, Texel* brick) const
+  {
+    const flatblock::Index3 first = this->Grid.GetFirstSample(block);
+    const int side = this->Grid.GetBrickSide(level);
+    flatblock::BrickFilter<T, Texel> filter(
+      this->Samples, this->Grid.GetSamples(), this->GetEncoder());
+    filter.Read(first, side, 1 << level, brick);
+    std::vector<Texel> coarse;
+    for (int coarser = 1; level + coarser < this->Grid.GetNumberOfLevels(); ++coarser)
+    {
+      if (std::find(border.begin(), border.end(), coarser) != border.end())
+      {
+        const int coarseSide = this->Grid.GetBrickSide(level + coarser);
+        coarse.resize(static_cast<std::size_t>(coarseSide) * coarseSide * coarseSide);
+        filter.Read(first, coarseSide, 1 << (level + coarser), coarse.data());
+        flatblock::CopyCoarserBorder(brick, side, border, coarser, coarse.data());
+      }
+    }
+  }
+
   flatblock::BlockGrid Grid;
   const T* Samples;
   flatblock::TexelEncoding Encoding;
+  flatblock::LevelFilter Filter;
 };
 
 // Bits are packed eight to a byte, which neither kernels nor textures can read.
@@ -83,11 +122,13 @@ vtkSmartPointer<vtkDataArray> UnpackBits(vtkDataArray* scalars)
 }
 } // namespace
 
-bool vtkFlatBlockBuilder::Update(vtkImageData* image, vtkDataArray* scalars, int blockSize)
+bool vtkFlatBlockBuilder::Update(
+  vtkImageData* image, vtkDataArray* scalars, int blockSize, flatblock::LevelFilter filter)
 {
   const void* samplesNow = scalars->GetVoidPointer(0);
   if (this->Source && this->BuiltSamples == samplesNow &&
-      this->BuiltImageTime == image->GetMTime() && this->BuiltBlockSize == blockSize)
+      this->BuiltImageTime == image->GetMTime() && this->BuiltBlockSize == blockSize &&
+      this->BuiltFilter == filter)
   {
     return false;
   }
@@ -95,6 +136,7 @@ bool vtkFlatBlockBuilder::Update(vtkImageData* image, vtkDataArray* scalars, int
   image->GetDimensions(samples.data());
   const flatblock::BlockGrid grid(samples, blockSize);
   this->Source.reset();
+  this->BuiltFilter = filter;
   this->Scalars = UnpackBits(scalars);
   switch (this->Scalars->GetDataType())
   {
@@ -123,7 +165,8 @@ void vtkFlatBlockBuilder::Build(const flatblock::BlockGrid& grid, const T* sampl
   {
     this->Range = { 0.0, 0.0 };
   }
-  this->Source = std::make_unique<ImageBrickSource<T>>(grid, samples, MakeEncoding<T>(this->Range));
+  this->Source = std::make_unique<ImageBrickSource<T>>(
+    grid, samples, MakeEncoding<T>(this->Range), this->BuiltFilter);
 }
 
 void vtkFlatBlockBuilder::PrintSelf(ostream& os, vtkIndent indent)

@@ -30,7 +30,8 @@ public:
    * Cuts the image's scalars, one component and one tuple a point, into blocks.
    * @return whether anything was built anew
    */
-  bool Update(vtkImageData* image, vtkDataArray* scalars, int blockSize);
+  bool Update(
+    vtkImageData* image, vtkDataArray* scalars, int blockSize, flatblock::LevelFilter filter);
 
   /**
    * Valid after Update(), until the image's samples change.
@@ -63,6 +64,7 @@ private:
   const void* BuiltSamples = nullptr; // only compared with
   vtkMTimeType BuiltImageTime = 0;
   int BuiltBlockSize = 0;
+  flatblock::LevelFilter BuiltFilter = flatblock::LevelFilter::Subsample;
 };
 
 #endif

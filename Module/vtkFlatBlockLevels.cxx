@@ -1,11 +1,8 @@
 #include "vtkFlatBlockLevels.h"
 
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkFlatBlockLevels);
@@ -18,8 +15,8 @@ vtkTypeInt64 GetBytesPerTexel(const flatblock::BrickSource& source)
 }
 
 // The largest atlas that leaves room for everything else.
-flatblock::AtlasShape::Request MakeShapeRequest(const flatblock::BrickSource& source,
-  const std::vector<std::uint8_t>& visible, const vtkFlatBlockLevels::Limits& limits)
+flatblock::AtlasShape::Request MakeShapeRequest(
+  const flatblock::BrickSource& source, const vtkFlatBlockLevels::Limits& limits)
 {
   const flatblock::BlockGrid& grid = source.GetGrid();
   flatblock::AtlasShape::Request request;
@@ -29,88 +26,74 @@ flatblock::AtlasShape::Request MakeShapeRequest(const flatblock::BrickSource& so
   }
   const vtkTypeInt64 bytes = limits.MaxMemoryInBytes - limits.BytesBesideAtlas;
   request.MostTexels = std::max<vtkTypeInt64>(bytes, 0) / GetBytesPerTexel(source);
-  request.FinestBricks =
-    std::count_if(visible.begin(), visible.end(), [](std::uint8_t v) { return v != 0; });
+  request.FinestBricks = grid.GetNumberOfBlocks(); // so that no edit of opacities changes it
   request.LargestTexture = limits.LargestTexture;
   return request;
 }
-
-flatblock::LodCriteria MakeCriteria(const vtkFlatBlockLevels::Limits& limits)
-{
-  flatblock::LodCriteria criteria;
-  criteria.NumberOfLevels = limits.NumberOfLevels;
-  vtkMatrix4x4* matrix = limits.SampleToWorld;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    criteria.Spacing[axis] = std::hypot(
-      matrix->GetElement(0, axis), matrix->GetElement(1, axis), matrix->GetElement(2, axis));
-  }
-  vtkNew<vtkMatrix4x4> worldToSample;
-  vtkMatrix4x4::Invert(matrix, worldToSample);
-  const double* point = limits.PointOfInterest;
-  const double world[4] = { point[0], point[1], point[2], 1.0 };
-  double samples[4];
-  worldToSample->MultiplyPoint(world, samples);
-  std::copy(samples, samples + 3, criteria.PointOfInterest.begin());
-
-  // A plane is a row: it goes from world to samples by the matrix from samples to world.
-  for (int plane = 0; plane < 6; ++plane)
-  {
-    std::array<double, 4> row = { 0.0, 0.0, 0.0, 0.0 };
-    for (int column = 0; column < 4; ++column)
-    {
-      for (int i = 0; i < 4; ++i)
-      {
-        row[column] += limits.ViewPlanes[4 * plane + i] * matrix->GetElement(i, column);
-      }
-    }
-    criteria.ViewPlanes.push_back(row);
-  }
-  return criteria;
-}
 } // namespace
 
-void vtkFlatBlockLevels::Update(const flatblock::BrickSource& source,
-  const std::vector<std::uint8_t>& visible, vtkMTimeType visibleTime, const Limits& limits)
+bool vtkFlatBlockLevels::UpdateShape(const flatblock::AtlasShape::Request& request)
 {
-  const auto request = MakeShapeRequest(source, visible, limits);
-  const auto criteria = MakeCriteria(limits);
-  const bool isNewShape = !(request == this->ShapeRequest);
-  if (!isNewShape && criteria == this->Criteria && visibleTime == this->VisibleTime)
+  if (request == this->ShapeRequest)
+  {
+    return false;
+  }
+  this->ShapeRequest = request;
+  this->Shape = flatblock::AtlasShape(request);
+  return true;
+}
+
+bool vtkFlatBlockLevels::UpdateOrder(const flatblock::BlockGrid& grid,
+  const std::vector<std::uint8_t>& visible, vtkMTimeType visibleTime,
+  const flatblock::VolumeView& view)
+{
+  const bool areNewRanks = visibleTime != this->VisibleTime || !(view.Region == this->View.Region);
+  if (areNewRanks)
+  {
+    this->Ranks = flatblock::RankBlocks(grid, visible, view.Region);
+    this->VisibleTime = visibleTime;
+  }
+  const bool isNewOrder = areNewRanks || view.PointOfInterest != this->View.PointOfInterest ||
+                          view.Spacing != this->View.Spacing;
+  if (isNewOrder)
+  {
+    this->Order.SetToDistance(grid, this->Ranks, view.PointOfInterest, view.Spacing);
+    this->View = view;
+  }
+  return isNewOrder;
+}
+
+void vtkFlatBlockLevels::Update(const flatblock::BrickSource& source,
+  const std::vector<std::uint8_t>& visible, vtkMTimeType visibleTime,
+  const flatblock::VolumeView& view, const Limits& limits)
+{
+  const bool isNewShape = this->UpdateShape(MakeShapeRequest(source, limits));
+  const bool isNewOrder = this->UpdateOrder(source.GetGrid(), visible, visibleTime, view);
+  if (!isNewShape && !isNewOrder && this->NumberOfLevels == limits.NumberOfLevels)
   {
     return;
   }
-  if (isNewShape)
-  {
-    this->ShapeRequest = request;
-    this->Shape = flatblock::AtlasShape(request);
-  }
-  const auto levels = flatblock::SelectLevels(source.GetGrid(), this->Shape, visible, criteria);
-  if (!levels)
+  this->NumberOfLevels = limits.NumberOfLevels;
+  if (!this->Selector.Select(this->Order, this->Shape, limits.NumberOfLevels))
   {
     this->ShapeRequest = {};
-    throw std::runtime_error(
-      this->DescribeTooLittleMemory(limits, request.FinestBricks, GetBytesPerTexel(source)));
+    throw std::runtime_error(this->DescribeTooLittleMemory(limits,
+      std::count_if(visible.begin(), visible.end(), [](std::uint8_t v) { return v != 0; }),
+      GetBytesPerTexel(source)));
   }
-  this->Levels = *levels;
-  this->Criteria = criteria;
-  this->VisibleTime = visibleTime;
   this->Modified();
 }
 
-double vtkFlatBlockLevels::GetShareReached(const std::vector<std::int8_t>& levels) const
+vtkTypeInt64 vtkFlatBlockLevels::CountDifferences(const std::vector<std::int8_t>& levels) const
 {
-  vtkTypeInt64 visible = 0;
-  vtkTypeInt64 there = 0;
-  for (std::size_t block = 0; block < this->Levels.size(); ++block)
+  const std::vector<std::int8_t>& wanted = this->GetLevels();
+  vtkTypeInt64 different = 0;
+  for (std::size_t block = 0; block < wanted.size(); ++block)
   {
-    if (this->Levels[block] != flatblock::NoLevel)
-    {
-      ++visible;
-      there += levels[block] == this->Levels[block] ? 1 : 0;
-    }
+    const bool isThere = block < levels.size() && levels[block] == wanted[block];
+    different += wanted[block] != flatblock::NoLevel && !isThere ? 1 : 0;
   }
-  return visible > 0 ? static_cast<double>(there) / static_cast<double>(visible) : 1.0;
+  return different;
 }
 
 std::string vtkFlatBlockLevels::DescribeTooLittleMemory(

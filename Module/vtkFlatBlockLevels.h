@@ -9,13 +9,12 @@
 #define vtkFlatBlockLevels_h
 
 #include "BrickSource.h"
+#include "FlatBlockVolumeView.h"
 #include "LodSelector.h"
 #include "vtkObject.h"
 
 #include <string>
 #include <vector>
-
-class vtkMatrix4x4;
 
 class vtkFlatBlockLevels : public vtkObject
 {
@@ -30,9 +29,6 @@ public:
     vtkTypeInt64 BytesBesideAtlas; ///< that are taken by all that is not atlas
     int LargestTexture;            ///< texels a side that the driver allows
     int NumberOfLevels;            ///< levels that a block may have
-    const double* PointOfInterest; ///< world coordinates
-    const double* ViewPlanes;      ///< six in world coordinates, as vtkCamera gives them
-    vtkMatrix4x4* SampleToWorld;
   };
 
   /**
@@ -41,18 +37,24 @@ public:
    * @throws std::runtime_error where not even the coarsest levels fit
    */
   void Update(const flatblock::BrickSource& source, const std::vector<std::uint8_t>& visible,
-    vtkMTimeType visibleTime, const Limits& limits);
+    vtkMTimeType visibleTime, const flatblock::VolumeView& view, const Limits& limits);
 
   /**
    * Of every block, flatblock::NoLevel where nothing is drawn.
    */
-  const std::vector<std::int8_t>& GetLevels() const { return this->Levels; }
+  const std::vector<std::int8_t>& GetLevels() const { return this->Selector.GetLevels(); }
+
+  /**
+   * Of every block, small for those that matter.
+   */
+  const std::vector<std::uint16_t>& GetOrder() const { return this->Order.GetBlocks(); }
+
   const flatblock::AtlasShape& GetShape() const { return this->Shape; }
 
   /**
-   * Share of the visible blocks that have their level in `levels`, from 0 to 1.
+   * Visible blocks that have another level in `levels`.
    */
-  double GetShareReached(const std::vector<std::int8_t>& levels) const;
+  vtkTypeInt64 CountDifferences(const std::vector<std::int8_t>& levels) const;
 
 protected:
   vtkFlatBlockLevels() = default;
@@ -65,11 +67,18 @@ private:
   std::string DescribeTooLittleMemory(
     const Limits& limits, vtkTypeInt64 blocks, vtkTypeInt64 bytesPerTexel) const;
 
+  bool UpdateShape(const flatblock::AtlasShape::Request& request);
+  bool UpdateOrder(const flatblock::BlockGrid& grid, const std::vector<std::uint8_t>& visible,
+    vtkMTimeType visibleTime, const flatblock::VolumeView& view);
+
   flatblock::AtlasShape::Request ShapeRequest;
   flatblock::AtlasShape Shape;
-  flatblock::LodCriteria Criteria;
-  std::vector<std::int8_t> Levels;
+  flatblock::VolumeView View;
+  std::vector<flatblock::BlockRank> Ranks;
+  flatblock::RefinementOrder Order;
+  flatblock::LodSelector Selector;
   vtkMTimeType VisibleTime = 0;
+  int NumberOfLevels = 0;
 };
 
 #endif

@@ -95,7 +95,8 @@ double* vtkFlatBlockVolumeMapper::GetBounds()
 bool vtkFlatBlockVolumeMapper::GetConverged() const
 {
   const vtkInternals& in = *this->Internals;
-  return in.LastError.empty() && in.Residency.GetLevels() == in.Levels->GetLevels();
+  return in.Frames > 0 && in.LastError.empty() &&
+         in.Residency.GetLevels() == in.Levels->GetLevels();
 }
 
 // Once more when it is done, and then no more.
@@ -105,7 +106,9 @@ void vtkFlatBlockVolumeMapper::ReportProgress()
   const bool isConverged = this->GetConverged();
   if (!isConverged || !in.WasConverged)
   {
-    this->UpdateProgress(in.Levels->GetShareReached(in.Residency.GetLevels()));
+    const auto visible = static_cast<double>(this->GetNumberOfVisibleBlocks());
+    const auto pending = static_cast<double>(this->GetNumberOfPendingChanges());
+    this->UpdateProgress(isConverged ? 1.0 : 1.0 - pending / std::max(visible, 1.0));
   }
   in.WasConverged = isConverged;
 }
@@ -155,76 +158,7 @@ void vtkFlatBlockVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Atlas->ReleaseGraphicsResources(window);
   this->Internals->RayCaster->ReleaseGraphicsResources(window);
-}
-
-vtkTypeInt64 vtkFlatBlockVolumeMapper::GetNumberOfBlocks() const
-{
-  return static_cast<vtkTypeInt64>(this->Internals->Builder->GetBlockRanges().size());
-}
-
-vtkTypeInt64 vtkFlatBlockVolumeMapper::GetNumberOfVisibleBlocks() const
-{
-  const auto& visible = this->Internals->VisibleBlocks;
-  return std::count_if(visible.begin(), visible.end(), [](std::uint8_t v) { return v != 0; });
-}
-
-vtkTypeInt64 vtkFlatBlockVolumeMapper::GetNumberOfBricks(int level) const
-{
-  const auto& levels = this->Internals->Residency.GetLevels();
-  return std::count(levels.begin(), levels.end(), static_cast<std::int8_t>(level));
-}
-
-vtkTypeInt64 vtkFlatBlockVolumeMapper::GetMemoryInBytes() const
-{
-  return this->Internals->Memory.GetBytes();
-}
-
-vtkTypeInt64 vtkFlatBlockVolumeMapper::GetPeakMemoryInBytes() const
-{
-  return this->Internals->Memory.GetPeak();
-}
-
-vtkTypeInt64 vtkFlatBlockVolumeMapper::GetAtlasBytes() const
-{
-  return this->Internals->Atlas->GetBytes();
-}
-
-vtkTypeInt64 vtkFlatBlockVolumeMapper::GetMovedBytes() const
-{
-  return this->Internals->Statistics.MovedBytes;
-}
-
-vtkTypeInt64 vtkFlatBlockVolumeMapper::GetUploadedBytes() const
-{
-  return this->Internals->Statistics.UploadedBytes;
-}
-
-void vtkFlatBlockVolumeMapper::PrintStatistics(ostream& os)
-{
-  const vtkInternals& in = *this->Internals;
-  const flatblock::AtlasAllocator& atlas = in.Residency.GetAtlas();
-  const vtkTypeInt64 texel = atlas.GetTexels() > 0 ? this->GetAtlasBytes() / atlas.GetTexels() : 0;
-  const vtkTypeInt64 used = atlas.GetUsedTexels() * texel;
-  const vtkTypeInt64 free = atlas.GetFreeTexels() * texel;
-  os << "Blocks: " << this->GetNumberOfBlocks() << "\n";
-  os << "Visible blocks: " << this->GetNumberOfVisibleBlocks() << "\n";
-  os << "Bricks by level:";
-  for (int level = 0; level < 7; ++level)
-  {
-    os << " " << this->GetNumberOfBricks(level);
-  }
-  os << "\nGraphics memory: " << this->GetMemoryInBytes() << " of " << this->MaxMemoryInBytes
-     << " bytes\n";
-  os << "Atlas: " << used << " bytes used, " << free << " free, "
-     << this->GetAtlasBytes() - used - free << " unusable\n";
-  os << "Last frame: " << in.Statistics.UploadedBytes << " bytes uploaded, "
-     << in.Statistics.MovedBytes << " moved\n";
-  os << "Levels reached: " << 100.0 * in.Levels->GetShareReached(in.Residency.GetLevels())
-     << " %\n";
-  os << "Frames since the last change: " << in.Statistics.FramesSinceChange << "\n";
-  os << "Milliseconds: ranges " << in.Statistics.RangeMilliseconds << ", selection "
-     << in.Statistics.SelectionMilliseconds << ", upload " << in.Statistics.UploadMilliseconds
-     << ", draw " << in.Statistics.DrawMilliseconds << "\n";
+  this->Internals->CardLimit = {};
 }
 
 void vtkFlatBlockVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
@@ -238,6 +172,8 @@ void vtkFlatBlockVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
      << " " << this->PointOfInterest[2] << "\n";
   os << indent << "UseCameraAsPointOfInterest: " << this->UseCameraAsPointOfInterest << "\n";
   os << indent << "InterblockContinuity: " << this->InterblockContinuity << "\n";
+  os << indent << "LevelFilter: " << (this->LevelFilter == TENT ? "Tent" : "Subsample") << "\n";
+  os << indent << "SelectionCriterion: Distance\n";
   os << indent << "RefinementFraction: " << this->RefinementFraction << "\n";
   os << indent << "UploadBytesPerFrame: " << this->UploadBytesPerFrame << "\n";
   os << indent << "Converged: " << this->GetConverged() << "\n";

@@ -9,6 +9,7 @@
  *
  * Within MaxMemoryInBytes each block has its own level of detail: level l is made of one sample in
  * 2^l along each axis. Blocks near the point of interest are refined first, those out of view last.
+ * A still picture depends on what is set, to the last bit, and not on what was drawn before.
  *
  * Input: vtkImageData, point data, one component, at least two samples along each axis. Integers of
  * 8 and 16 bit are kept as they are. All other types become 32-bit floats over the data's own
@@ -32,7 +33,6 @@
 #include "vtkVolumeMapper.h"
 
 #include <memory> // for the internals
-#include <vector> // for levels
 
 class vtkRenderWindow;
 
@@ -68,7 +68,8 @@ public:
   /**
    * Bytes on the graphics card that are never exceeded, by atlas, index texture, tables and the
    * copy of the scene's depth together. Default: 256 MiB. Where the visible blocks don't fit at
-   * their finest level, those far from the point of interest are drawn coarser.
+   * their finest level, those far from the point of interest are drawn coarser. Where the card has
+   * less memory than this, an error says so, and a smaller atlas is drawn until this is set anew.
    */
   vtkSetClampMacro(MaxMemoryInBytes, vtkTypeInt64, 1, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaxMemoryInBytes, vtkTypeInt64);
@@ -81,6 +82,44 @@ public:
    */
   vtkSetClampMacro(NumberOfLevels, int, 1, 7);
   vtkGetMacro(NumberOfLevels, int);
+  ///@}
+
+  enum LevelFilters
+  {
+    SUBSAMPLE,
+    TENT
+  };
+
+  ///@{
+  /**
+   * What the samples of a coarser level are. Subsample (default): finest samples at a stride, so
+   * that all values are those of the data, and their colours too. Tent: the mean of the samples
+   * around, weighted by a tent that falls to 0 at a distance of 2^l along each axis; smoother, and
+   * slower to upload. Where only a mean lies in the visible range of a block, and none of its
+   * samples does, it is not drawn.
+   */
+  vtkSetClampMacro(LevelFilter, int, SUBSAMPLE, TENT);
+  vtkGetMacro(LevelFilter, int);
+  void SetLevelFilterToSubsample() { this->SetLevelFilter(SUBSAMPLE); }
+  void SetLevelFilterToTent() { this->SetLevelFilter(TENT); }
+  ///@}
+
+  enum SelectionCriteria
+  {
+    DISTANCE
+  };
+
+  ///@{
+  /**
+   * Which block is refined first. Distance (default, and the only one yet): the one for which
+   * 1 / (d + diagonal) is the largest, with d the distance from the point of interest to the
+   * block's centre, and the diagonal that of the block counted in voxels of its present level, both
+   * in world units of the finest voxel. Blocks that are wholly out of view, or beyond a clipping
+   * plane or the cropping, come after all others.
+   */
+  vtkSetClampMacro(SelectionCriterion, int, DISTANCE, DISTANCE);
+  vtkGetMacro(SelectionCriterion, int);
+  void SetSelectionCriterionToDistance() { this->SetSelectionCriterion(DISTANCE); }
   ///@}
 
   ///@{
@@ -97,11 +136,12 @@ public:
 
   ///@{
   /**
-   * What an interactive frame may do to reach the levels that are wanted: the share of the visible
-   * blocks that change (default 0.1), and bytes of the bricks that these get (default 16 MiB);
-   * bricks whose border follows a neighbour that has changed come on top. A frame is interactive
-   * where the render window's desired update rate is 1 or more, as with vtkSmartVolumeMapper; all
-   * others are converged before they are shown.
+   * What an interactive frame may do to reach the levels that are wanted: the share of all blocks
+   * that change (default 0.1), and bytes of bricks and borders that are uploaded, or else moved
+   * within the atlas (default 16 MiB). One block may change in any case, and blocks that were
+   * transparent come at once, coarse. A frame is interactive where the render window's desired
+   * update rate is 1 or more, as with vtkSmartVolumeMapper; all others are converged before they
+   * are shown.
    */
   vtkSetClampMacro(RefinementFraction, double, 0.0, 1.0);
   vtkGetMacro(RefinementFraction, double);
@@ -110,8 +150,8 @@ public:
   ///@}
 
   /**
-   * Whether the last frame showed every block at the level that is wanted. Frames that don't send a
-   * ProgressEvent with the share of the visible blocks that do.
+   * Whether the last frame showed every block at the level that is wanted; false before the first.
+   * Frames that don't send a ProgressEvent with the share of the visible blocks that do.
    */
   bool GetConverged() const;
 
@@ -125,7 +165,8 @@ public:
   ///@{
   /**
    * Whether blocks take over the borders of coarser neighbours, so that levels meet without a
-   * crack. Default: on.
+   * crack: on both sides values are the same to 2^-16 of the range, for data of 8 bit to one step.
+   * Default: on.
    */
   vtkSetMacro(InterblockContinuity, bool);
   vtkGetMacro(InterblockContinuity, bool);
@@ -135,19 +176,55 @@ public:
   ///@{
   /**
    * What the last frame was made of: blocks of the volume; blocks that are not transparent; those
-   * drawn at a level of detail; bytes on the graphics card, counted where they are allocated: in
-   * all, the most at any time of the frame, and of the atlas; bytes of bricks sent to it for that
-   * frame, and moved within the atlas.
+   * drawn at a level of detail; visible blocks that are not yet at the level that is wanted; and
+   * how many frames before it something last changed.
    */
   vtkTypeInt64 GetNumberOfBlocks() const;
   vtkTypeInt64 GetNumberOfVisibleBlocks() const;
   vtkTypeInt64 GetNumberOfBricks(int level) const;
+  vtkTypeInt64 GetNumberOfPendingChanges() const;
+  vtkTypeInt64 GetFramesSinceLastChange() const;
+  ///@}
+
+  ///@{
+  /**
+   * Bytes on the graphics card, counted where they are allocated: in all; the most at any time of
+   * the last frame; of the atlas. Of the atlas, bytes that bricks take; that can hold a brick of a
+   * level that a block waits for; and neither.
+   */
   vtkTypeInt64 GetMemoryInBytes() const;
   vtkTypeInt64 GetPeakMemoryInBytes() const;
   vtkTypeInt64 GetAtlasBytes() const;
+  vtkTypeInt64 GetUsedAtlasBytes() const;
+  vtkTypeInt64 GetFreeAtlasBytes() const;
+  vtkTypeInt64 GetUnusableAtlasBytes() const;
+  ///@}
+
+  ///@{
+  /**
+   * Bytes of bricks that were sent to the graphics card for the last frame, and moved within the
+   * atlas.
+   */
   vtkTypeInt64 GetUploadedBytes() const;
   vtkTypeInt64 GetMovedBytes() const;
   ///@}
+
+  ///@{
+  /**
+   * Milliseconds that the last frame took on the CPU: block ranges and transfer table; levels and
+   * places; bricks and tables to the graphics card; commands of the ray caster, not their
+   * execution.
+   */
+  double GetRangeMilliseconds() const;
+  double GetSelectionMilliseconds() const;
+  double GetUploadMilliseconds() const;
+  double GetDrawMilliseconds() const;
+  ///@}
+
+  /**
+   * Prints all these.
+   */
+  void PrintStatistics(ostream& os);
 
   ///@{
   /**
@@ -156,12 +233,6 @@ public:
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
   ///@}
-
-  /**
-   * Prints all these, what the atlas has left, how many frames ago something last changed, and what
-   * each stage of the last frame took on the CPU.
-   */
-  void PrintStatistics(ostream& os);
 
   /**
    * Draws the volume. Called by vtkVolume.
@@ -187,9 +258,10 @@ private:
   void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);
   void UpdateBlocks();
   void UpdateTransferTable(vtkVolume* volume);
-  std::vector<signed char> GetLevelsOfFrame(vtkRenderer* renderer);
   void ReportProgress();
   void UpdateAtlas(vtkRenderer* renderer, vtkVolume* volume);
+  bool TryAtlas(vtkRenderer* renderer, vtkVolume* volume);
+  void ShrinkAtlas(vtkRenderer* renderer);
   void UpdateLevels(vtkRenderer* renderer, vtkVolume* volume);
   vtkTypeInt64 GetBytesBesideAtlas(vtkRenderer* renderer) const;
   double GetStep() const;
@@ -199,6 +271,8 @@ private:
   double SampleDistance = 0.0;
   vtkTypeInt64 MaxMemoryInBytes = vtkTypeInt64(256) << 20;
   int NumberOfLevels = 4;
+  int LevelFilter = SUBSAMPLE;
+  int SelectionCriterion = DISTANCE;
   double PointOfInterest[3] = { 0.0, 0.0, 0.0 };
   bool UseCameraAsPointOfInterest = true;
   double RefinementFraction = 0.1;

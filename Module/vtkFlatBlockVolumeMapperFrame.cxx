@@ -1,4 +1,4 @@
-#include "Refinement.h"
+#include "RoundUp.h"
 #include "vtkFlatBlockVolumeMapperInternals.h"
 #include "vtkOpenGLFlatBlockSceneDepth.h"
 
@@ -63,7 +63,9 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
 {
   vtkInternals& in = *this->Internals;
   flatblock::StageTimer timer(in.Statistics.RangeMilliseconds);
-  if (in.Builder->Update(in.Input.Image, in.Input.Scalars, this->BlockSize))
+  const auto filter =
+    this->LevelFilter == TENT ? flatblock::LevelFilter::Tent : flatblock::LevelFilter::Subsample;
+  if (in.Builder->Update(in.Input.Image, in.Input.Scalars, this->BlockSize, filter))
   {
     in.Residency.Clear();
   }
@@ -93,8 +95,9 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer
   const int* size = renderer->GetSize();
   const auto table =
     in.TransferFunction->GetTable().GetEntries().size() * sizeof(flatblock::TransferTable::Entry);
+  // Rounded up, so that not each step of a window that is being resized changes the atlas.
   return vtkOpenGLFlatBlockAtlas::GetIndexBytes(this->GetNumberOfBlocks()) +
-         vtkOpenGLFlatBlockSceneDepth::GetBytes(size[0], size[1]) +
+         flatblock::RoundUp(vtkOpenGLFlatBlockSceneDepth::GetBytes(size[0], size[1])) +
          static_cast<vtkTypeInt64>(table);
 }
 
@@ -102,43 +105,39 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
 {
   vtkInternals& in = *this->Internals;
   flatblock::StageTimer timer(in.Statistics.SelectionMilliseconds);
-  vtkNew<vtkMatrix4x4> sampleToWorld;
-  vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), in.Input.SampleToDataSet, sampleToWorld);
   vtkFlatBlockLevels::Limits limits;
-  limits.MaxMemoryInBytes = this->MaxMemoryInBytes;
+  limits.MaxMemoryInBytes = std::min(this->MaxMemoryInBytes, in.CardLimit.Bytes);
   limits.BytesBesideAtlas = this->GetBytesBesideAtlas(renderer);
   limits.LargestTexture = vtkOpenGLFlatBlockAtlas::GetLargestTexture(in.Window);
   limits.NumberOfLevels = this->NumberOfLevels;
-  limits.PointOfInterest = this->UseCameraAsPointOfInterest
-                             ? renderer->GetActiveCamera()->GetPosition()
-                             : this->PointOfInterest;
-  double viewPlanes[24];
-  renderer->GetActiveCamera()->GetFrustumPlanes(renderer->GetTiledAspectRatio(), viewPlanes);
-  limits.ViewPlanes = viewPlanes;
-  limits.SampleToWorld = sampleToWorld;
-  in.Levels->Update(
-    in.Builder->GetSource(), in.VisibleBlocks, in.VisibleBlocksTime.GetMTime(), limits);
+  const double* point = this->UseCameraAsPointOfInterest
+                          ? renderer->GetActiveCamera()->GetPosition()
+                          : this->PointOfInterest;
+  in.Levels->Update(in.Builder->GetSource(), in.VisibleBlocks, in.VisibleBlocksTime.GetMTime(),
+    flatblock::GetVolumeView(renderer, volume, this, in.Input, point), limits);
 }
 
-// The wanted ones, or what an interactive frame may do towards them.
-std::vector<std::int8_t> vtkFlatBlockVolumeMapper::GetLevelsOfFrame(vtkRenderer* renderer)
+// A still, or what an interactive frame may do towards it.
+flatblock::FramePlan vtkFlatBlockVolumeMapper::vtkInternals::PlanFrame(
+  const flatblock::RefinementBudget* budget, bool continuity)
 {
-  constexpr double InteractiveUpdateRate = 1.0;
-  const vtkInternals& in = *this->Internals;
-  const std::vector<std::int8_t>& wanted = in.Levels->GetLevels();
-  if (renderer->GetRenderWindow()->GetDesiredUpdateRate() < InteractiveUpdateRate)
+  flatblock::StageTimer timer(this->Statistics.SelectionMilliseconds);
+  const flatblock::BrickSource& source = this->Builder->GetSource();
+  const auto borders = continuity ? source.GetContinuity() : flatblock::Continuity::Off;
+  const auto plan = [&]
   {
-    return wanted;
+    return budget ? this->Residency.PlanStep(source.GetGrid(), this->Levels->GetLevels(),
+                      this->Levels->GetOrder(), this->Levels->GetShape(), borders, *budget)
+                  : this->Residency.PlanStill(source.GetGrid(), this->Levels->GetLevels(),
+                      this->Levels->GetShape(), borders);
+  };
+  flatblock::FramePlan frame = plan();
+  if (!frame.Moves.empty() && !vtkOpenGLFlatBlockAtlas::CanMove())
+  {
+    this->Residency.Clear();
+    frame = plan();
   }
-  const flatblock::BrickSource& source = in.Builder->GetSource();
-  const auto texel =
-    static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(source.GetEncoding().Format));
-  flatblock::RefinementBudget budget;
-  budget.Blocks = static_cast<vtkTypeInt64>(
-    this->RefinementFraction * static_cast<double>(this->GetNumberOfVisibleBlocks()));
-  budget.Texels = this->UploadBytesPerFrame / texel;
-  return flatblock::StepTowards(
-    source.GetGrid(), in.Levels->GetShape(), in.Residency.GetLevels(), wanted, budget);
+  return frame;
 }
 
 void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* volume)
@@ -148,41 +147,81 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
   {
     in.Residency.Clear();
   }
+  if (in.CardLimit.FoundFor != this->MaxMemoryInBytes)
+  {
+    in.CardLimit = {};
+  }
   const flatblock::TransferTable& table = in.TransferFunction->GetTable();
   in.RayCaster->ReleaseStale(renderer, table);
-  this->UpdateLevels(renderer, volume);
-  const flatblock::BrickSource& source = in.Builder->GetSource();
-  const auto plan = [&]
+  while (!this->TryAtlas(renderer, volume))
   {
-    flatblock::StageTimer timer(in.Statistics.SelectionMilliseconds);
-    return in.Residency.Plan(source.GetGrid(), this->GetLevelsOfFrame(renderer),
-      in.Levels->GetShape(), this->InterblockContinuity);
-  };
-  flatblock::FramePlan frame = plan();
-  if (!frame.Moves.empty() && !vtkOpenGLFlatBlockAtlas::CanMove())
-  {
-    in.Residency.Clear();
-    frame = plan();
-  }
-  flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
-  if (!in.Atlas->Execute(in.Window, frame, in.Residency, source))
-  {
-    const flatblock::Index3 size = in.Residency.GetAtlas().GetTextureSize();
-    throw std::runtime_error("The graphics card has no memory for an atlas of " +
-                             std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
-                             std::to_string(size[2]) + " texels.");
-  }
-  in.Statistics.UploadedBytes = in.Atlas->GetUploadedBytes();
-  in.Statistics.MovedBytes = in.Atlas->GetMovedBytes();
-  if (frame.NewPlaces || !frame.Uploads.empty())
-  {
-    in.Statistics.FramesSinceChange = 0;
+    this->ShrinkAtlas(renderer);
   }
   if (!in.RayCaster->HasTransferTable() || in.TransferFunction->GetMTime() > in.TransferTextureTime)
   {
+    flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
     in.RayCaster->SetTransferTable(in.Window, table);
     in.TransferTextureTime.Modified();
   }
+}
+
+// False where the graphics card has no memory for it.
+bool vtkFlatBlockVolumeMapper::TryAtlas(vtkRenderer* renderer, vtkVolume* volume)
+{
+  constexpr double InteractiveUpdateRate = 1.0;
+  vtkInternals& in = *this->Internals;
+  this->UpdateLevels(renderer, volume);
+  const flatblock::BrickSource& source = in.Builder->GetSource();
+  flatblock::RefinementBudget budget;
+  budget.Blocks = static_cast<vtkTypeInt64>(
+    this->RefinementFraction * static_cast<double>(this->GetNumberOfBlocks()));
+  budget.Texels = this->UploadBytesPerFrame /
+                  static_cast<vtkTypeInt64>(BytesPerTexel(source.GetEncoding().Format));
+  const bool isInteractive =
+    renderer->GetRenderWindow()->GetDesiredUpdateRate() >= InteractiveUpdateRate;
+  const flatblock::FramePlan frame =
+    in.PlanFrame(isInteractive ? &budget : nullptr, this->InterblockContinuity);
+
+  flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
+  if (!in.Atlas->Execute(in.Window, frame, in.Residency, source))
+  {
+    return false;
+  }
+  in.Statistics.UploadedBytes = in.Atlas->GetUploadedBytes();
+  in.Statistics.MovedBytes = in.Atlas->GetMovedBytes();
+  in.LastAtlasBytes = in.Atlas->GetBytes();
+  if (!frame.IsEmpty())
+  {
+    in.Statistics.FramesSinceChange = 0;
+  }
+  return true;
+}
+
+// To what was there before, or else to less and less.
+void vtkFlatBlockVolumeMapper::ShrinkAtlas(vtkRenderer* renderer)
+{
+  constexpr vtkTypeInt64 TooSmall = 4096;
+  vtkInternals& in = *this->Internals;
+  const flatblock::AtlasAllocator& atlas = in.Residency.GetAtlas();
+  const flatblock::Index3 size = atlas.GetTextureSize();
+  const vtkTypeInt64 bytes = atlas.GetTexels() * static_cast<vtkTypeInt64>(BytesPerTexel(
+                                                   in.Builder->GetSource().GetEncoding().Format));
+  const vtkTypeInt64 smaller =
+    in.LastAtlasBytes > 0 && in.LastAtlasBytes < bytes ? in.LastAtlasBytes : bytes / 4 * 3;
+  const std::string problem = "The graphics card has no memory for an atlas of " +
+                              std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
+                              std::to_string(size[2]) + " texels, " + std::to_string(bytes) +
+                              " bytes";
+  if (smaller < TooSmall)
+  {
+    throw std::runtime_error(problem + ".");
+  }
+  if (in.CardLimit.FoundFor != this->MaxMemoryInBytes)
+  {
+    vtkErrorMacro(<< problem << "; a smaller one takes its place until MaxMemoryInBytes is set.");
+  }
+  in.CardLimit = { this->GetBytesBesideAtlas(renderer) + smaller, this->MaxMemoryInBytes };
+  in.Residency.Clear();
 }
 
 // A float has 24 bits: with more samples a ray, neighbours could fall together.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "FlatBlockVolumeInput.h"
+#include "FlatBlockVolumeView.h"
 #include "FramePlan.h"
 #include "MemoryCounter.h"
 #include "vtkFlatBlockBuilder.h"
@@ -35,6 +36,13 @@ struct FrameStatistics
   double DrawMilliseconds = 0.0;      ///< commands of the ray caster, not their execution
 };
 
+/// What the graphics card turned out to have.
+struct CardLimit
+{
+  vtkTypeInt64 Bytes = VTK_TYPE_INT64_MAX; ///< for everything
+  vtkTypeInt64 FoundFor = 0;               ///< MaxMemoryInBytes that was too much, 0: none was
+};
+
 /// Adds the time until it goes out of scope.
 class StageTimer
 {
@@ -64,6 +72,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
     this->RayCaster->SetMemoryCounter(&this->Memory);
   }
 
+  flatblock::FramePlan PlanFrame(const flatblock::RefinementBudget* budget, bool continuity);
+
   flatblock::MemoryCounter Memory; // outlives those who count in it
   vtkNew<vtkFlatBlockBuilder> Builder;
   vtkNew<vtkFlatBlockTransferFunction> TransferFunction;
@@ -79,6 +89,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkTimeStamp TransferTextureTime;
   flatblock::FrameStatistics Statistics;
   vtkTypeInt64 Frames = 0; // drawn so far
+  vtkTypeInt64 LastAtlasBytes = 0;
+  flatblock::CardLimit CardLimit;
   bool WasConverged = true;
   std::string LastError;
   std::string LastWarning;

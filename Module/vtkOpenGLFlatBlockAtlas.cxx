@@ -9,12 +9,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <utility>
 
 vtkStandardNewMacro(vtkOpenGLFlatBlockAtlas);
 
 namespace
 {
-constexpr std::size_t StagingBytes = std::size_t(16) << 20;
+constexpr std::size_t StagingBytes = std::size_t(4) << 20; // what caches hold
 constexpr int IndexWidth = 4096;
 constexpr std::uint16_t NotResident = 0xffff;
 
@@ -36,6 +38,26 @@ GLFormat GetGLFormat(flatblock::TexelFormat format)
   default:
     return { VTK_FLOAT, GL_R32F, GL_FLOAT };
   }
+}
+
+// Asks before VTK does, which would report an error of its own. Drivers answer as well as they
+// know.
+bool CanAllocate(const flatblock::Index3& size, const GLFormat& format)
+{
+  glTexImage3D(GL_PROXY_TEXTURE_3D, 0, static_cast<int>(format.Internal), size[0], size[1], size[2],
+    0, GL_RED, format.Type, nullptr);
+  int depth = 0;
+  glGetTexLevelParameteriv(GL_PROXY_TEXTURE_3D, 0, GL_TEXTURE_DEPTH, &depth);
+  return depth == size[2];
+}
+
+bool IsAllocated3D(vtkTextureObject* texture, int depth)
+{
+  int allocated = 0;
+  texture->Activate();
+  glGetTexLevelParameteriv(GL_TEXTURE_3D, 0, GL_TEXTURE_DEPTH, &allocated);
+  texture->Deactivate();
+  return allocated == depth;
 }
 
 void ClearGLErrors()
@@ -101,8 +123,9 @@ bool vtkOpenGLFlatBlockAtlas::Allocate(
   this->Bricks->SetWrapT(vtkTextureObject::ClampToEdge);
   this->Bricks->SetWrapR(vtkTextureObject::ClampToEdge);
   ClearGLErrors();
-  if (!this->Bricks->Allocate3D(size[0], size[1], size[2], 1, gl.VtkType) ||
-      glGetError() != GL_NO_ERROR)
+  if (!CanAllocate(size, gl) ||
+      !this->Bricks->Allocate3D(size[0], size[1], size[2], 1, gl.VtkType) ||
+      !IsAllocated3D(this->Bricks, size[2]))
   {
     ClearGLErrors();
     return false;
@@ -154,21 +177,82 @@ void vtkOpenGLFlatBlockAtlas::Move(
   const unsigned int atlas = this->Bricks->GetHandle();
   for (const flatblock::BoxMove& move : moves)
   {
-    // A copy must not overlap itself: slabs that move by less than their thickness go in slices.
-    const int apart = move.From[2] - move.To[2];
+    // A copy must not overlap itself: boxes that move by less than their depth go in slices, the
+    // foremost first.
+    const int down = move.From[2] - move.To[2];
     const bool isAside = move.From[0] != move.To[0] || move.From[1] != move.To[1];
-    const int slice = isAside || apart <= 0 ? move.Size[2] : std::min(apart, move.Size[2]);
-    for (int z = 0; z < move.Size[2]; z += slice)
+    const int depth = move.Size[2];
+    const int slice = isAside || down == 0 ? depth : std::min(std::abs(down), depth);
+    for (int done = 0; done < depth; done += slice)
     {
+      const int layers = std::min(slice, depth - done);
+      const int z = down > 0 ? done : depth - done - layers;
       glCopyImageSubData(atlas, GL_TEXTURE_3D, 0, move.From[0], move.From[1], move.From[2] + z,
         atlas, GL_TEXTURE_3D, 0, move.To[0], move.To[1], move.To[2] + z, move.Size[0], move.Size[1],
-        std::min(slice, move.Size[2] - z));
+        layers);
     }
     this->MovedBytes += static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(format)) * move.Size[0] *
                         move.Size[1] * move.Size[2];
   }
 }
 
+namespace
+{
+// Some uploads that follow each other, with their bricks.
+class Batch
+{
+public:
+  using Uploads = std::vector<flatblock::BrickUpload>;
+
+  // From `first` on, as many as there is room for.
+  void Begin(const Uploads& uploads, std::size_t first, const flatblock::BrickSource& source)
+  {
+    this->First = first;
+    this->Offsets.clear();
+    const std::size_t bytesPerTexel = flatblock::BytesPerTexel(source.GetEncoding().Format);
+    std::size_t bytes = 0;
+    for (std::size_t i = first; i < uploads.size() && bytes < StagingBytes; ++i)
+    {
+      const std::size_t side = source.GetGrid().GetBrickSide(uploads[i].Level);
+      this->Offsets.push_back(bytes);
+      bytes += bytesPerTexel * side * side * side;
+    }
+    this->Bytes.resize(std::max(this->Bytes.size(), bytes));
+  }
+
+  void Read(const Uploads& uploads, const flatblock::BrickSource& source)
+  {
+    const auto count = static_cast<std::int64_t>(this->Offsets.size());
+    const flatblock::BrickUpload* first = uploads.data() + this->First;
+    const flatblock::BrickSource* from = &source; // a task would copy what a reference refers to
+#pragma omp taskloop nogroup
+    for (std::int64_t i = 0; i < count; ++i)
+    {
+      from->ReadBrick(first[i].Block, first[i].Level, first[i].Border, this->GetBrick(i));
+    }
+  }
+
+  std::size_t GetFirst() const
+  {
+    return this->First;
+  }
+  std::size_t GetCount() const
+  {
+    return this->Offsets.size();
+  }
+  std::uint8_t* GetBrick(std::size_t i)
+  {
+    return &this->Bytes[this->Offsets[i]];
+  }
+
+private:
+  std::size_t First = 0;
+  std::vector<std::size_t> Offsets;
+  std::vector<std::uint8_t> Bytes;
+};
+} // namespace
+
+// While one thread, that of the OpenGL context, sends a batch, the others read the next.
 void vtkOpenGLFlatBlockAtlas::Upload(const std::vector<flatblock::BrickUpload>& uploads,
   const flatblock::AtlasAllocator& places, const flatblock::BrickSource& source)
 {
@@ -176,47 +260,55 @@ void vtkOpenGLFlatBlockAtlas::Upload(const std::vector<flatblock::BrickUpload>& 
   {
     return;
   }
-  const flatblock::TexelFormat format = source.GetEncoding().Format;
-  const flatblock::BlockGrid& grid = source.GetGrid();
-  const auto bytesOf = [&grid, format](const flatblock::BrickUpload& upload)
-  {
-    const std::size_t side = grid.GetBrickSide(upload.Level);
-    return flatblock::BytesPerTexel(format) * side * side * side;
-  };
   this->Bricks->Activate();
   vtkOpenGLState* state = this->Bricks->GetContext()->GetState();
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  std::vector<std::uint8_t> staging;
-  std::vector<std::size_t> offsets;
-  for (std::size_t first = 0; first < uploads.size(); first += offsets.size())
+  Batch batches[2];
+#pragma omp parallel
+#pragma omp master
   {
-    offsets.clear();
-    std::size_t bytes = 0;
-    for (std::size_t i = first; i < uploads.size() && (i == first || bytes < StagingBytes); ++i)
+    Batch* ready = &batches[0];
+    Batch* next = &batches[1];
+    next->Begin(uploads, 0, source);
+    next->Read(uploads, source);
+    while (next->GetCount() > 0)
     {
-      offsets.push_back(bytes);
-      bytes += bytesOf(uploads[i]);
+#pragma omp taskwait
+      std::swap(ready, next);
+      next->Begin(uploads, ready->GetFirst() + ready->GetCount(), source);
+      next->Read(uploads, source);
+      for (std::size_t i = 0; i < ready->GetCount(); ++i)
+      {
+        const flatblock::BrickUpload& upload = uploads[ready->GetFirst() + i];
+        this->UploadParts(upload.Parts, places.GetOrigin(upload.Place),
+          source.GetGrid().GetBrickSide(upload.Level), source.GetEncoding().Format,
+          ready->GetBrick(i));
+      }
     }
-    staging.resize(std::max(staging.size(), bytes));
-    const auto count = static_cast<std::int64_t>(offsets.size());
-#pragma omp parallel for schedule(dynamic)
-    for (std::int64_t i = 0; i < count; ++i)
-    {
-      const flatblock::BrickUpload& upload = uploads[first + i];
-      source.ReadBrick(upload.Block, upload.Level, upload.Border, &staging[offsets[i]]);
-    }
-    for (std::int64_t i = 0; i < count; ++i)
-    {
-      const flatblock::BrickUpload& upload = uploads[first + i];
-      const flatblock::Index3 origin = places.GetOrigin(upload.Place);
-      const int side = grid.GetBrickSide(upload.Level);
-      glTexSubImage3D(GL_TEXTURE_3D, 0, origin[0], origin[1], origin[2], side, side, side, GL_RED,
-        GetGLFormat(format).Type, &staging[offsets[i]]);
-    }
-    this->UploadedBytes += static_cast<vtkTypeInt64>(bytes);
   }
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   this->Bricks->Deactivate();
+}
+
+void vtkOpenGLFlatBlockAtlas::UploadParts(flatblock::BrickParts parts,
+  const flatblock::Index3& origin, int side, flatblock::TexelFormat format,
+  const std::uint8_t* brick)
+{
+  const std::size_t bytesPerTexel = flatblock::BytesPerTexel(format);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, side);
+  glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, side);
+  for (const flatblock::BrickBox& box : flatblock::GetBoxes(parts, side))
+  {
+    const flatblock::Index3& at = box.First;
+    const std::size_t texel = at[0] + static_cast<std::size_t>(side) * (at[1] + side * at[2]);
+    glTexSubImage3D(GL_TEXTURE_3D, 0, origin[0] + at[0], origin[1] + at[1], origin[2] + at[2],
+      box.Size[0], box.Size[1], box.Size[2], GL_RED, GetGLFormat(format).Type,
+      brick + texel * bytesPerTexel);
+  }
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, 0);
+  this->UploadedBytes += static_cast<vtkTypeInt64>(bytesPerTexel) *
+                         static_cast<vtkTypeInt64>(flatblock::CountTexels(parts, side));
 }
 
 bool vtkOpenGLFlatBlockAtlas::IsAllocated() const

@@ -84,6 +84,8 @@ private:
   void Move(const std::vector<flatblock::BoxMove>& moves, flatblock::TexelFormat format);
   void Upload(const std::vector<flatblock::BrickUpload>& uploads,
     const flatblock::AtlasAllocator& places, const flatblock::BrickSource& source);
+  void UploadParts(flatblock::BrickParts parts, const flatblock::Index3& origin, int side,
+    flatblock::TexelFormat format, const std::uint8_t* brick);
 
   vtkNew<vtkTextureObject> Bricks;
   vtkNew<vtkTextureObject> BlockIndex;

@@ -94,62 +94,94 @@ void AtlasAllocator::Free(const BrickPlace& place)
   }
 }
 
-Compaction AtlasAllocator::Compact()
+namespace
+{
+// Whether there is still a move to spend.
+bool Spend(const Index3& size, std::int64_t mostTexels, Compaction& compaction)
+{
+  const std::int64_t texels = static_cast<std::int64_t>(size[0]) * size[1] * size[2];
+  if (compaction.Texels > 0 && compaction.Texels + texels > mostTexels)
+  {
+    return false;
+  }
+  compaction.Texels += texels;
+  return true;
+}
+} // namespace
+
+Compaction AtlasAllocator::Compact(std::int64_t mostTexels)
 {
   Compaction compaction;
-  for (int level = 0; level < this->Shape.GetNumberOfLevels(); ++level)
+  bool isDone = true;
+  for (int level = 0; isDone && level < this->Shape.GetNumberOfLevels(); ++level)
   {
-    this->MergeSlabs(level, compaction);
+    isDone = this->MergeSlabs(level, mostTexels, compaction);
   }
-  this->CloseGaps(compaction);
+  if (isDone)
+  {
+    this->CloseGaps(mostTexels, compaction);
+  }
   return compaction;
 }
 
-void AtlasAllocator::MergeSlabs(int level, Compaction& compaction)
+int AtlasAllocator::FindEmptiest(int level) const
+{
+  const auto& open = this->OpenSlabs[level];
+  return std::max_element(open.begin(), open.end(),
+    [this](const auto& a, const auto& b)
+    { return this->Slabs[a.second].FreeBricks.size() < this->Slabs[b.second].FreeBricks.size(); })
+    ->second;
+}
+
+// Whether no more than one slab has room left.
+bool AtlasAllocator::MergeSlabs(int level, std::int64_t mostTexels, Compaction& compaction)
 {
   auto& open = this->OpenSlabs[level];
-  const auto perSlab = static_cast<std::size_t>(this->Shape.GetBricksPerSlab(level));
   const int side = this->Shape.GetSide(level);
+  const Index3 size = { side, side, side };
   while (open.size() > 1)
   {
-    const auto emptiest = std::max_element(open.begin(), open.end(),
-      [this](const auto& a, const auto& b) {
-        return this->Slabs[a.second].FreeBricks.size() < this->Slabs[b.second].FreeBricks.size();
-      });
-    const auto source = *emptiest;
-    open.erase(emptiest);
-    std::vector<bool> isFree(perSlab, false);
-    for (const int brick : this->Slabs[source.second].FreeBricks)
+    const int source = this->FindEmptiest(level);
+    const std::pair<int, int> key = { this->Slabs[source].FirstLayer, source };
+    std::vector<bool> isFree(this->Shape.GetBricksPerSlab(level), false);
+    for (const int brick : this->Slabs[source].FreeBricks)
     {
       isFree[brick] = true;
     }
-    for (int brick = 0; brick < static_cast<int>(perSlab) && !open.empty(); ++brick)
+    open.erase(key); // not to be filled
+    for (int brick = 0; brick < static_cast<int>(isFree.size()) && !open.empty(); ++brick)
     {
-      if (!isFree[brick])
+      if (isFree[brick])
       {
-        const BrickPlace from{ source.second, brick };
-        const BrickPlace to = *this->Allocate(level);
-        compaction.NewPlaces.emplace_back(from, to);
-        compaction.Moves.push_back(
-          { this->GetOrigin(from), this->GetOrigin(to), { side, side, side } });
-        this->Slabs[source.second].FreeBricks.push_back(brick);
+        continue;
       }
+      if (!Spend(size, mostTexels, compaction))
+      {
+        open.insert(key);
+        return false;
+      }
+      const BrickPlace from{ source, brick };
+      const BrickPlace to = *this->Allocate(level);
+      compaction.NewPlaces.emplace_back(from, to);
+      compaction.Moves.push_back({ this->GetOrigin(from), this->GetOrigin(to), size });
+      this->Slabs[source].FreeBricks.push_back(brick);
     }
-    if (this->Slabs[source.second].FreeBricks.size() == perSlab)
+    if (this->Slabs[source].FreeBricks.size() == isFree.size())
     {
-      this->Slabs[source.second] = Slab();
+      this->Slabs[source] = Slab();
     }
     else
     {
-      open.insert(source);
+      open.insert(key);
     }
   }
+  return true;
 }
 
-void AtlasAllocator::CloseGaps(Compaction& compaction)
+void AtlasAllocator::CloseGaps(std::int64_t mostTexels, Compaction& compaction)
 {
   std::vector<int> order;
-  for (int slab = 0; slab < static_cast<int>(this->Slabs.size()); ++slab)
+  for (int slab = 0; slab < this->GetNumberOfSlabs(); ++slab)
   {
     if (this->Slabs[slab].Level >= 0)
     {
@@ -165,8 +197,12 @@ void AtlasAllocator::CloseGaps(Compaction& compaction)
     const int thickness = this->Shape.GetSide(slab.Level);
     if (slab.FirstLayer > layer)
     {
-      compaction.Moves.push_back({ { 0, 0, slab.FirstLayer }, { 0, 0, layer },
-        { this->Shape.GetWidth(), this->Shape.GetHeight(), thickness } });
+      const Index3 size = { this->Shape.GetWidth(), this->Shape.GetHeight(), thickness };
+      if (!Spend(size, mostTexels, compaction))
+      {
+        return;
+      }
+      compaction.Moves.push_back({ { 0, 0, slab.FirstLayer }, { 0, 0, layer }, size });
       if (this->OpenSlabs[slab.Level].erase({ slab.FirstLayer, number }) > 0)
       {
         this->OpenSlabs[slab.Level].emplace(layer, number);
@@ -185,6 +221,36 @@ Index3 AtlasAllocator::GetOrigin(const BrickPlace& place) const
   return { place.Brick % perRow * side, place.Brick / perRow * side, slab.FirstLayer };
 }
 
+std::vector<BrickPlace> AtlasAllocator::FindPlaces(const Index3& first, const Index3& size) const
+{
+  std::vector<BrickPlace> places;
+  for (int number = 0; number < this->GetNumberOfSlabs(); ++number)
+  {
+    const Slab& slab = this->Slabs[number];
+    if (slab.Level < 0)
+    {
+      continue;
+    }
+    const int side = this->Shape.GetSide(slab.Level);
+    if (slab.FirstLayer >= first[2] + size[2] || slab.FirstLayer + side <= first[2])
+    {
+      continue;
+    }
+    const int columns = this->Shape.GetWidth() / side;
+    const int rows = this->Shape.GetHeight() / side;
+    const int lastColumn = std::min((first[0] + size[0] - 1) / side, columns - 1);
+    const int lastRow = std::min((first[1] + size[1] - 1) / side, rows - 1);
+    for (int row = first[1] / side; row <= lastRow; ++row)
+    {
+      for (int column = first[0] / side; column <= lastColumn; ++column)
+      {
+        places.push_back({ number, row * columns + column });
+      }
+    }
+  }
+  return places;
+}
+
 std::int64_t AtlasAllocator::GetUsedTexels() const
 {
   std::int64_t texels = 0;
@@ -201,7 +267,7 @@ std::int64_t AtlasAllocator::GetUsedTexels() const
   return texels;
 }
 
-std::int64_t AtlasAllocator::GetFreeTexels() const
+std::int64_t AtlasAllocator::GetFreeTexels(const std::vector<bool>& wanted) const
 {
   std::int64_t texels = 0;
   std::int64_t layers = this->Depth;
@@ -210,11 +276,20 @@ std::int64_t AtlasAllocator::GetFreeTexels() const
     if (slab.Level >= 0)
     {
       const std::int64_t side = this->Shape.GetSide(slab.Level);
-      texels += static_cast<std::int64_t>(slab.FreeBricks.size()) * side * side * side;
       layers -= side;
+      texels += wanted[slab.Level]
+                  ? static_cast<std::int64_t>(slab.FreeBricks.size()) * side * side * side
+                  : 0;
     }
   }
-  return texels + layers * this->Shape.GetWidth() * this->Shape.GetHeight();
+  for (int level = 0; level < this->Shape.GetNumberOfLevels(); ++level)
+  {
+    if (wanted[level] && this->Shape.GetSide(level) <= layers)
+    {
+      return texels + layers * this->Shape.GetWidth() * this->Shape.GetHeight();
+    }
+  }
+  return texels;
 }
 
 std::int64_t AtlasAllocator::GetTexels() const

@@ -29,8 +29,8 @@ struct BrickPlace
   }
 };
 
-/// A box of texels that goes to another place of the same texture. Where the two overlap the new
-/// one lies lower along z, and nowhere else.
+/// A box of texels that goes to another place of the same texture. Where the two overlap they are
+/// apart along z and nowhere else.
 struct BoxMove
 {
   Index3 From = { 0, 0, 0 };
@@ -43,6 +43,7 @@ struct BoxMove
 struct Compaction
 {
   std::vector<BoxMove> Moves;
+  std::int64_t Texels = 0; ///< that move
   std::vector<std::pair<BrickPlace, BrickPlace>> NewPlaces;
 };
 
@@ -67,20 +68,30 @@ public:
   void Free(const BrickPlace& place);
 
   /// Fills the slabs of each level from its emptiest one, and then moves slabs down to where there
-  /// is no gap below them. Afterwards whatever fits the shape beside the present bricks can be
-  /// allocated.
-  Compaction Compact();
+  /// is no gap below them. Once there is nothing more to move, whatever fits the shape beside the
+  /// present bricks can be allocated.
+  ///
+  /// @param mostTexels  that may move, but for the first move: so it ends when called often enough
+  Compaction Compact(std::int64_t mostTexels);
 
   int GetLevel(const BrickPlace& place) const { return this->Slabs[place.Slab].Level; }
+  int GetNumberOfSlabs() const { return static_cast<int>(this->Slabs.size()); }
 
   /// The first texel of the brick at this place.
   Index3 GetOrigin(const BrickPlace& place) const;
 
-  /// Texels that lie in bricks; that can hold further ones, in begun slabs and in layers without a
-  /// slab; and in all.
+  /// Places, with a brick or without, that have a texel in this box.
+  std::vector<BrickPlace> FindPlaces(const Index3& first, const Index3& size) const;
+
+  /// Texels that lie in bricks, and in all.
   std::int64_t GetUsedTexels() const;
-  std::int64_t GetFreeTexels() const;
   std::int64_t GetTexels() const;
+
+  /// Texels that can hold bricks of these levels, once the gaps are closed: in begun slabs, and in
+  /// layers without a slab.
+  ///
+  /// @param wanted  by level
+  std::int64_t GetFreeTexels(const std::vector<bool>& wanted) const;
 
 private:
   struct Slab
@@ -90,8 +101,9 @@ private:
     std::vector<int> FreeBricks;
   };
 
-  void MergeSlabs(int level, Compaction& compaction);
-  void CloseGaps(Compaction& compaction);
+  bool MergeSlabs(int level, std::int64_t mostTexels, Compaction& compaction);
+  void CloseGaps(std::int64_t mostTexels, Compaction& compaction);
+  int FindEmptiest(int level) const;
   std::optional<int> FindGap(int thickness) const;
   int AddSlab(int level, int firstLayer);
 

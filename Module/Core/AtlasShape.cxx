@@ -34,29 +34,30 @@ double GetUsedShare(int texels, int side)
   return static_cast<double>(used) / texels;
 }
 
-// The share of the atlas that is expected to be lost beside the bricks of each level, and in slabs
-// that are half full.
-double GetMixedLoss(const std::vector<int>& sides, int width, int height, double texels)
+// The largest share of the atlas that can be lost: beside the bricks of any of the finer levels,
+// which take nearly all of the memory, and in layers that are too few for a brick.
+double GetLargestLoss(const std::vector<int>& sides, int width, int height, double texels)
 {
   double loss = 0.0;
-  double weight = 0.75; // most of the memory goes to the finest levels
-  double thickness = 0.0;
-  for (int side : sides)
+  const std::size_t finer = std::min<std::size_t>(sides.size(), 4);
+  for (std::size_t level = 0; level < finer; ++level)
   {
-    loss += weight * (1.0 - GetUsedShare(width, side) * GetUsedShare(height, side));
-    weight *= 0.25;
-    thickness += side;
+    const double used = GetUsedShare(width, sides[level]) * GetUsedShare(height, sides[level]);
+    loss = std::max(loss, 1.0 - used);
   }
-  return loss + 0.5 * thickness * width * height / texels;
+  return loss + static_cast<double>(sides[finer / 2]) * width * height / texels;
 }
 
-// What is lost with so many bricks of the finest level and no others, in texels.
-double GetFinestLoss(int side, int width, int height, std::int64_t bricks)
+// What is lost with so many bricks of the finest level and no others, as a share of them.
+double GetFinestLoss(const std::vector<int>& sides, int width, int height, std::int64_t bricks)
 {
+  const int side = sides[0];
   const std::int64_t perSlab = static_cast<std::int64_t>(width / side) * (height / side);
-  const std::int64_t slabs = (bricks + perSlab - 1) / perSlab;
-  const double texels = static_cast<double>(slabs) * width * height * side;
-  return texels - static_cast<double>(bricks) * side * side * side;
+  const std::int64_t depth =
+    (bricks + perSlab - 1) / perSlab * side + std::accumulate(sides.begin() + 1, sides.end(), 0);
+  return static_cast<double>(depth) * width * height /
+           (static_cast<double>(bricks) * side * side * side) -
+         1.0;
 }
 } // namespace
 
@@ -78,11 +79,13 @@ AtlasShape::AtlasShape(const Request& request)
     {
       const std::int64_t area = static_cast<std::int64_t>(width) * height;
       const bool isDeepEnough = area * largestTexture >= texels;
-      // Where even the widest is not deep enough, it holds the most.
-      const double tooShallow = isDeepEnough ? 0.0 : 1e18 / static_cast<double>(area);
+      // Where even the widest is not deep enough, it holds the most; where no slab of the finest
+      // level fits, a small one is better.
+      const double tooShallow = (isDeepEnough ? 0.0 : 1e18 / static_cast<double>(area)) +
+                                (area * side > mostTexels ? static_cast<double>(area) : 0.0);
       const double loss =
-        tooShallow + (isFinest ? GetFinestLoss(side, width, height, bricks)
-                               : GetMixedLoss(this->Sides, width, height, double(texels)));
+        tooShallow + (isFinest ? GetFinestLoss(this->Sides, width, height, bricks)
+                               : GetLargestLoss(this->Sides, width, height, double(texels)));
       if (width >= height && loss < least)
       {
         least = loss;
@@ -96,10 +99,14 @@ AtlasShape::AtlasShape(const Request& request)
     const std::int64_t area = static_cast<std::int64_t>(this->Width) * this->Height;
     const std::int64_t most = std::min<std::int64_t>(largestTexture, mostTexels / area);
     // Every block at its finest level, and a slab of each other level on the way there.
-    const std::int64_t useful =
-      this->GetDepthOf({ bricks }) + std::accumulate(this->Sides.begin(), this->Sides.end(), 0);
+    const std::int64_t useful = this->GetDepthOf({ bricks }) + this->GetDepthOnTheWay();
     this->Depth = static_cast<int>(std::min(most, useful));
   }
+}
+
+int AtlasShape::GetDepthOnTheWay() const
+{
+  return std::accumulate(this->Sides.begin() + 1, this->Sides.end(), 0);
 }
 
 std::int64_t AtlasShape::GetBricksPerSlab(int level) const

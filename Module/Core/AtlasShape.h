@@ -30,9 +30,15 @@ public:
 
   AtlasShape() = default;
 
-  /// The width and height that leave the least over. Tries many: to be asked only where the request
-  /// has changed.
+  /// The width and height that leave the least over, at whatever mixture of levels. Tries many: to
+  /// be asked only where the request has changed.
   explicit AtlasShape(const Request& request);
+
+  /// Whether bricks have the same places in both, but for the depth.
+  bool IsSameGrid(const AtlasShape& other) const
+  {
+    return this->Width == other.Width && this->Height == other.Height && this->Sides == other.Sides;
+  }
 
   /// Texels an axis; Depth is the most that is of use within what is allowed.
   int GetWidth() const { return this->Width; }
@@ -46,6 +52,9 @@ public:
 
   /// Texels along z of the slabs that hold so many bricks of each level.
   std::int64_t GetDepthOf(const std::vector<std::int64_t>& bricks) const;
+
+  /// Texels along z of one slab of each level but the finest.
+  int GetDepthOnTheWay() const;
 
 private:
   std::vector<int> Sides;

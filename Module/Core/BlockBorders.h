@@ -10,13 +10,42 @@
 namespace flatblock
 {
 /// Levels by which a border is coarser than its block, for each direction (x, y, z), each -1, 0 or
-/// 1, at x + 1 + 3 * (y + 1) + 9 * (z + 1). Corners and the middle are 0.
+/// 1, at x + 1 + 3 * (y + 1) + 9 * (z + 1): faces have one direction that is not 0, edges two,
+/// corners three. The middle is 0.
 using BlockBorder = std::array<std::int8_t, 27>;
 
-/// Faces take the coarser of the two levels that meet there, edges the coarsest of four. Blocks of
-/// which nothing is drawn do not count.
+/// How blocks meet neighbours of other levels.
+enum class Continuity : std::uint8_t
+{
+  Off,
+  Nested,  ///< faces and edges follow coarser neighbours; corners are the same at every level
+  Filtered ///< corners too, since each level has values of its own
+};
+
+/// Faces take the coarser of the two levels that meet there, edges the coarsest of four, corners of
+/// eight. Blocks of which nothing is drawn do not count.
 ///
 /// @param levels  of every block of the grid
-BlockBorder GetBlockBorder(
-  const BlockGrid& grid, const std::vector<std::int8_t>& levels, std::int64_t block);
+BlockBorder GetBlockBorder(const BlockGrid& grid, const std::vector<std::int8_t>& levels,
+  std::int64_t block, Continuity continuity);
+
+/// Directions of a BlockBorder, one bit each; the middle stands for the whole brick.
+using BrickParts = std::uint32_t;
+constexpr BrickParts WholeBrick = 1U << 13;
+
+/// What two bricks that differ in their border alone don't have in common. An edge is left out
+/// where a face brings it along, a corner where a face or an edge does.
+BrickParts GetChangedParts(const BlockBorder& before, const BlockBorder& after);
+
+/// Texels of a brick.
+struct BrickBox
+{
+  Index3 First = { 0, 0, 0 };
+  Index3 Size = { 0, 0, 0 };
+};
+
+/// The boxes of these parts of a brick; together they hold each texel of a part.
+std::vector<BrickBox> GetBoxes(BrickParts parts, int side);
+
+std::int64_t CountTexels(BrickParts parts, int side);
 } // namespace flatblock

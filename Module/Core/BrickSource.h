@@ -30,6 +30,13 @@ struct TexelEncoding
   double Scale = 1.0;
 };
 
+/// What the samples of a coarser level are.
+enum class LevelFilter
+{
+  Subsample, ///< finest samples at a stride
+  Tent       ///< means of their neighbours
+};
+
 /// Hands out the bricks of a volume one by one. Whoever reads from it must not assume that all
 /// samples are at hand at once.
 class BrickSource
@@ -38,6 +45,9 @@ public:
   virtual ~BrickSource() = default;
   virtual const BlockGrid& GetGrid() const = 0;
   virtual const TexelEncoding& GetEncoding() const = 0;
+
+  /// How borders meet coarser ones of the levels that this source makes.
+  virtual Continuity GetContinuity() const = 0;
 
   /// Writes the block's samples at a stride of 2^level as GetBrickSide(level)^3 texels, x fastest,
   /// with the border made as coarse as asked for. Beyond the volume's far faces the last sample

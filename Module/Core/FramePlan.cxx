@@ -1,35 +1,58 @@
 #include "FramePlan.h"
 
+#include "Relocation.h"
+
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace flatblock
 {
 namespace
 {
-std::vector<std::int64_t> CountBricks(const std::vector<std::int8_t>& levels, int numberOfLevels)
+// As deep as it may be where it holds coarse bricks, since they are to be refined one day; else a
+// power of two of slabs, so that it seldom changes, and one of each level on the way to the finest.
+int GetCanonicalDepth(const std::vector<std::int8_t>& levels, const AtlasShape& shape)
 {
-  std::vector<std::int64_t> bricks(numberOfLevels, 0);
-  for (const std::int8_t level : levels)
+  std::vector<std::int64_t> bricks = CountBricks(levels, shape);
+  if (std::any_of(bricks.begin() + 1, bricks.end(), [](std::int64_t count) { return count > 0; }))
   {
-    if (level != NoLevel)
-    {
-      ++bricks[level];
-    }
+    return shape.GetDepth();
   }
-  return bricks;
+  const std::int64_t perSlab = shape.GetBricksPerSlab(0);
+  std::int64_t slabs = 1;
+  while (slabs * perSlab < bricks[0])
+  {
+    slabs *= 2;
+  }
+  const std::int64_t depth = slabs * shape.GetSide(0) + shape.GetDepthOnTheWay();
+  return static_cast<int>(std::min<std::int64_t>(depth, shape.GetDepth()));
 }
 
-// Above what bricks of any level and border can be.
-constexpr std::int8_t NotUploaded = 100;
-
-// As deep as it may be where it holds coarse bricks, since they are to be refined one day.
-std::int64_t GetWantedDepth(const std::vector<std::int64_t>& bricks, const AtlasShape& shape)
+// Marks the blocks around each block whose level changes, and itself.
+std::vector<std::uint8_t> FindTouched(const BlockGrid& grid, const std::vector<std::int8_t>& before,
+  const std::vector<std::int8_t>& after)
 {
-  const bool isFinest =
-    std::all_of(bricks.begin() + 1, bricks.end(), [](std::int64_t count) { return count == 0; });
-  const std::int64_t depth = std::max<std::int64_t>(shape.GetDepthOf(bricks), shape.GetSide(0));
-  return std::min<std::int64_t>(isFinest ? depth : shape.GetDepth(), shape.GetDepth());
+  std::vector<std::uint8_t> touched(after.size(), 0);
+  const Index3& blocks = grid.GetBlocks();
+  for (std::size_t block = 0; block < after.size(); ++block)
+  {
+    if (before[block] == after[block])
+    {
+      continue;
+    }
+    const Index3 p = grid.GetPosition(static_cast<std::int64_t>(block));
+    for (int z = std::max(p[2] - 1, 0); z <= std::min(p[2] + 1, blocks[2] - 1); ++z)
+    {
+      for (int y = std::max(p[1] - 1, 0); y <= std::min(p[1] + 1, blocks[1] - 1); ++y)
+      {
+        const std::int64_t row = grid.GetBlock({ 0, y, z });
+        std::fill(touched.begin() + row + std::max(p[0] - 1, 0),
+          touched.begin() + row + std::min(p[0] + 1, blocks[0] - 1) + 1, std::uint8_t(1));
+      }
+    }
+  }
+  return touched;
 }
 } // namespace
 
@@ -38,32 +61,101 @@ void Residency::Clear()
   *this = Residency();
 }
 
-bool Residency::CanKeepAtlas(const std::vector<std::int64_t>& bricks, const AtlasShape& shape) const
+void Residency::StartAnew(std::size_t blocks, int depth, const AtlasShape& shape, FramePlan& plan)
 {
-  const AtlasShape& current = this->Atlas.GetShape();
-  if (current.GetNumberOfLevels() != shape.GetNumberOfLevels())
-  {
-    return false;
-  }
-  const std::int64_t depth = this->Atlas.GetTextureSize()[2];
-  return current.GetDepthOf(bricks) <= depth && depth <= 2 * GetWantedDepth(bricks, current) &&
-         this->Atlas.GetTexels() <= shape.GetMostTexels();
-}
-
-void Residency::StartAnew(std::size_t blocks, const std::vector<std::int64_t>& bricks,
-  const AtlasShape& shape, FramePlan& plan)
-{
-  this->Atlas = AtlasAllocator(shape, static_cast<int>(GetWantedDepth(bricks, shape)));
+  this->Atlas = AtlasAllocator(shape, depth);
   this->Levels.assign(blocks, NoLevel);
-  this->Borders.assign(blocks, BlockBorder{ NotUploaded });
   this->Places.assign(blocks, BrickPlace());
+  this->IsCanonical = false;
   plan.NewAtlas = true;
   plan.NewPlaces = true;
 }
 
-// Gives every brick its place.
-void Residency::Place(const std::vector<std::int8_t>& levels, FramePlan& plan)
+FramePlan Residency::PlanStill(const BlockGrid& grid, const std::vector<std::int8_t>& levels,
+  const AtlasShape& shape, Continuity continuity)
 {
+  FramePlan plan;
+  const int depth = GetCanonicalDepth(levels, shape);
+  if (!this->Atlas.GetShape().IsSameGrid(shape) || this->Atlas.GetTextureSize()[2] != depth)
+  {
+    this->StartAnew(levels.size(), depth, shape, plan);
+  }
+  if (this->Levels != levels || !this->IsCanonical)
+  {
+    this->TakeCanonicalPlaces(levels, plan);
+    plan.NewPlaces = true;
+  }
+  this->PlanUploads(grid, levels, continuity, plan);
+  return plan;
+}
+
+// Those that an empty atlas would give them.
+void Residency::TakeCanonicalPlaces(const std::vector<std::int8_t>& levels, FramePlan& plan)
+{
+  AtlasAllocator atlas(this->Atlas.GetShape(), this->Atlas.GetTextureSize()[2]);
+  std::vector<BrickPlace> places(levels.size());
+  std::vector<std::uint8_t> stays(levels.size(), 0);
+  for (std::size_t block = 0; block < levels.size(); ++block)
+  {
+    if (levels[block] != NoLevel)
+    {
+      places[block] = atlas.Allocate(levels[block]).value();
+      stays[block] = levels[block] == this->Levels[block] ? 1 : 0;
+    }
+  }
+  Relocation relocation = Relocate(this->Atlas, this->Places, atlas, places, stays);
+  plan.Moves = std::move(relocation.Moves);
+  this->Dropped = std::move(relocation.Dropped);
+  this->Atlas = std::move(atlas);
+  this->Places = std::move(places);
+  this->IsCanonical = true;
+}
+
+FramePlan Residency::PlanStep(const BlockGrid& grid, const std::vector<std::int8_t>& levels,
+  const std::vector<std::uint16_t>& order, const AtlasShape& shape, Continuity continuity,
+  const RefinementBudget& budget)
+{
+  FramePlan plan;
+  const int depth = this->Atlas.GetTextureSize()[2];
+  if (!this->Atlas.GetShape().IsSameGrid(shape) || depth > shape.GetDepth() ||
+      shape.GetDepthOf(CountBricks(levels, shape)) > depth)
+  {
+    this->StartAnew(levels.size(), GetCanonicalDepth(levels, shape), shape, plan);
+  }
+  const auto step = [&](const RefinementBudget& most)
+  {
+    const Refiner refiner(grid, shape, this->Atlas.GetTextureSize()[2], continuity);
+    return refiner.StepTowards(levels, this->Levels, order, most);
+  };
+  std::vector<std::int8_t> next = step(budget);
+  if (next != this->Levels)
+  {
+    const Residency before = *this;
+    const bool isNew = plan.NewAtlas;
+    if (!this->TakePlaces(next, budget.Texels, plan))
+    {
+      *this = before;
+      plan = { isNew, true, {}, {} };
+      this->Compact(budget.Texels, plan);
+      if (!plan.Moves.empty())
+      {
+        return plan;
+      }
+      // What is there lies close together, but the change itself opens a gap.
+      next = step({ 1, 1 });
+      this->TakePlaces(next, std::numeric_limits<std::int64_t>::max(), plan);
+    }
+    plan.NewPlaces = true;
+  }
+  this->PlanUploads(grid, next, continuity, plan);
+  return plan;
+}
+
+// Gives every brick its place; false where that takes more moves than allowed.
+bool Residency::TakePlaces(
+  const std::vector<std::int8_t>& levels, std::int64_t mostTexelsToMove, FramePlan& plan)
+{
+  this->IsCanonical = false;
   for (std::size_t block = 0; block < levels.size(); ++block)
   {
     if (levels[block] != this->Levels[block] && this->Places[block].IsResident())
@@ -72,26 +164,32 @@ void Residency::Place(const std::vector<std::int8_t>& levels, FramePlan& plan)
       this->Places[block] = BrickPlace();
     }
   }
+  bool isCompact = false;
   for (std::size_t block = 0; block < levels.size(); ++block)
   {
-    if (levels[block] != NoLevel && !this->Places[block].IsResident())
+    if (levels[block] == NoLevel || this->Places[block].IsResident())
     {
-      auto place = this->Atlas.Allocate(levels[block]);
-      if (!place)
-      {
-        this->Compact(plan);
-        place = this->Atlas.Allocate(levels[block]);
-      }
-      this->Places[block] = place.value();
-      this->Borders[block][0] = NotUploaded;
+      continue;
     }
+    auto place = this->Atlas.Allocate(levels[block]);
+    if (!place && !isCompact)
+    {
+      this->Compact(mostTexelsToMove, plan);
+      isCompact = true;
+      place = this->Atlas.Allocate(levels[block]);
+    }
+    if (!place)
+    {
+      return false;
+    }
+    this->Places[block] = *place;
   }
-  this->Levels = levels;
+  return true;
 }
 
-void Residency::Compact(FramePlan& plan)
+void Residency::Compact(std::int64_t mostTexels, FramePlan& plan)
 {
-  const Compaction compaction = this->Atlas.Compact();
+  const Compaction compaction = this->Atlas.Compact(mostTexels);
   std::map<BrickPlace, BrickPlace> moved(compaction.NewPlaces.begin(), compaction.NewPlaces.end());
   for (BrickPlace& place : this->Places)
   {
@@ -102,39 +200,46 @@ void Residency::Compact(FramePlan& plan)
       moved.erase(next);
     }
   }
+  this->IsCanonical = this->IsCanonical && compaction.Moves.empty();
   plan.Moves.insert(plan.Moves.end(), compaction.Moves.begin(), compaction.Moves.end());
 }
 
-FramePlan Residency::Plan(const BlockGrid& grid, const std::vector<std::int8_t>& levels,
-  const AtlasShape& shape, bool continuity)
+// Bricks that are new come whole; those whose border changes, in part.
+void Residency::PlanUploads(const BlockGrid& grid, const std::vector<std::int8_t>& levels,
+  Continuity continuity, FramePlan& plan)
 {
-  FramePlan plan;
-  const auto bricks = CountBricks(levels, shape.GetNumberOfLevels());
-  if (!this->CanKeepAtlas(bricks, shape))
+  std::vector<std::uint8_t> touched;
+  if (this->Borders != continuity)
   {
-    this->StartAnew(levels.size(), bricks, shape, plan);
+    touched.assign(levels.size(), 1);
   }
-  else if (this->Levels == levels && this->Continuity == continuity)
+  else if (this->Levels != levels || !this->Dropped.empty())
   {
-    return plan;
+    touched = FindTouched(grid, this->Levels, levels);
   }
-  this->Continuity = continuity;
-  plan.NewPlaces = plan.NewPlaces || this->Levels != levels;
-  this->Place(levels, plan);
-  for (std::size_t block = 0; block < levels.size(); ++block)
+  for (const std::int64_t block : this->Dropped)
   {
-    if (levels[block] == NoLevel)
+    touched[block] = 2;
+  }
+  for (std::size_t i = 0; i < touched.size(); ++i)
+  {
+    if (!touched[i] || levels[i] == NoLevel)
     {
       continue;
     }
-    const auto number = static_cast<std::int64_t>(block);
-    const BlockBorder border = continuity ? GetBlockBorder(grid, levels, number) : BlockBorder{};
-    if (border != this->Borders[block])
+    const auto block = static_cast<std::int64_t>(i);
+    const BlockBorder border = GetBlockBorder(grid, levels, block, continuity);
+    const bool isWhole = touched[i] == 2 || levels[i] != this->Levels[i];
+    const BrickParts parts =
+      isWhole ? WholeBrick
+              : GetChangedParts(GetBlockBorder(grid, this->Levels, block, this->Borders), border);
+    if (parts != 0)
     {
-      this->Borders[block] = border;
-      plan.Uploads.push_back({ number, levels[block], border, this->Places[block] });
+      plan.Uploads.push_back({ block, levels[i], border, this->Places[i], parts });
     }
   }
-  return plan;
+  this->Dropped.clear();
+  this->Levels = levels;
+  this->Borders = continuity;
 }
 } // namespace flatblock

@@ -1,68 +1,74 @@
 #include "LodSelector.h"
 
 #include <algorithm>
-#include <cmath>
-#include <queue>
+#include <array>
+#include <limits>
+#include <numeric>
+#include <optional>
 
 namespace flatblock
 {
 namespace
 {
-struct Candidate
+// How much of the atlas is taken.
+class Occupancy
 {
-  bool IsInView;
-  double Priority;
-  std::int64_t Block;
-
-  // Ties go to the block with the smaller number.
-  bool operator<(const Candidate& other) const
+public:
+  Occupancy(const AtlasShape& shape, int coarsest, std::int64_t blocks)
+    : Shape(&shape), Bricks(shape.GetNumberOfLevels(), 0), Slabs(Bricks)
   {
-    if (this->IsInView != other.IsInView)
+    this->Add(coarsest, blocks);
+  }
+
+  bool Fits() const { return this->Depth <= this->Shape->GetDepth(); }
+
+  std::int64_t GetDepth() const { return this->Depth; }
+
+  // Whether it fits whatever slabs are begun, and however it came about.
+  bool FitsForSure() const
+  {
+    double depth = 0.0;
+    for (int level = 0; level < this->Shape->GetNumberOfLevels(); ++level)
     {
-      return other.IsInView;
+      const auto perSlab = static_cast<double>(this->Shape->GetBricksPerSlab(level));
+      const double slabs = static_cast<double>(this->Bricks[level]) / perSlab + 1.0;
+      depth += slabs * this->Shape->GetSide(level);
     }
-    return this->Priority != other.Priority ? this->Priority < other.Priority
-                                            : this->Block > other.Block;
+    return depth <= this->Shape->GetDepth();
   }
-};
 
-double GetDistance(const BlockGrid& grid, std::int64_t block, const LodCriteria& criteria)
-{
-  const Index3 first = grid.GetFirstSample(block);
-  double squares = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
+  void Add(int level, std::int64_t bricks)
   {
-    const double center = first[axis] + 0.5 * grid.GetCellsPerBlock();
-    const double apart = (center - criteria.PointOfInterest[axis]) * criteria.Spacing[axis];
-    squares += apart * apart;
+    this->Bricks[level] += bricks;
+    const std::int64_t perSlab = this->Shape->GetBricksPerSlab(level);
+    const std::int64_t slabs = (this->Bricks[level] + perSlab - 1) / perSlab;
+    this->Depth += (slabs - this->Slabs[level]) * this->Shape->GetSide(level);
+    this->Slabs[level] = slabs;
   }
-  return std::sqrt(squares);
-}
 
-double GetDiagonal(const BlockGrid& grid, int level, const LodCriteria& criteria)
-{
-  const auto& spacing = criteria.Spacing;
-  const double voxels = grid.GetCellsPerBlock() >> level;
-  return voxels * std::hypot(spacing[0], spacing[1], spacing[2]);
-}
+  void Refine(int level, std::int64_t blocks)
+  {
+    this->Add(level, -blocks);
+    this->Add(level - 1, blocks);
+  }
 
-// Whether the block has a corner on the inner side of each plane.
-bool IsInView(const BlockGrid& grid, std::int64_t block, const LodCriteria& criteria)
-{
-  const Index3 first = grid.GetFirstSample(block);
-  return std::all_of(criteria.ViewPlanes.begin(), criteria.ViewPlanes.end(),
-    [&](const std::array<double, 4>& plane)
+  bool RefineIfFits(int level)
+  {
+    this->Refine(level, 1);
+    if (this->Fits())
     {
-      double farthest = plane[3];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const double low = plane[axis] * first[axis];
-        const double high = plane[axis] * (first[axis] + grid.GetCellsPerBlock());
-        farthest += std::max(low, high);
-      }
-      return farthest >= 0.0;
-    });
-}
+      return true;
+    }
+    this->Refine(level, -1);
+    return false;
+  }
+
+private:
+  const AtlasShape* Shape;
+  std::vector<std::int64_t> Bricks;
+  std::vector<std::int64_t> Slabs;
+  std::int64_t Depth = 0;
+};
 
 // The coarsest level that is needed for all visible blocks to fit; none if there is no such level.
 std::optional<int> FindCoarsest(const AtlasShape& shape, std::int64_t blocks, int numberOfLevels)
@@ -70,75 +76,277 @@ std::optional<int> FindCoarsest(const AtlasShape& shape, std::int64_t blocks, in
   const int levels = shape.GetNumberOfLevels();
   for (int level = std::clamp(numberOfLevels, 1, levels) - 1; level < levels; ++level)
   {
-    std::vector<std::int64_t> bricks(levels, 0);
-    bricks[level] = blocks;
-    if (shape.GetDepthOf(bricks) <= shape.GetDepth())
+    if (Occupancy(shape, level, blocks).Fits())
     {
       return level;
     }
   }
   return {};
 }
+
+// Blocks in their order, read where they are needed.
+class BlockQueue
+{
+public:
+  BlockQueue(const RefinementOrder& order, const std::vector<std::int32_t>& counts)
+    : Order(order), Counts(counts), First(counts.size(), -1)
+  {
+  }
+
+  // The blocks that have this number, in the order of the grid.
+  const std::int64_t* GetBlocks(int number)
+  {
+    if (this->First[number] < 0)
+    {
+      this->Read(number);
+    }
+    return this->Blocks.data() + this->First[number];
+  }
+
+  int GetCount(int number) const { return this->Counts[number]; }
+
+private:
+  // Reads on from this number, each time more.
+  void Read(int number)
+  {
+    const auto begin = static_cast<std::int64_t>(this->Blocks.size());
+    const std::int64_t wanted = std::max<std::int64_t>(16384, begin);
+    std::int64_t end = begin;
+    int last = number;
+    for (; last < RefinementOrder::Never && this->First[last] < 0 && end - begin < wanted; ++last)
+    {
+      this->First[last] = static_cast<std::int32_t>(end);
+      end += this->Counts[last];
+    }
+    this->Blocks.resize(static_cast<std::size_t>(end));
+    std::vector<std::int32_t> next(this->First.begin() + number, this->First.begin() + last);
+    const std::uint16_t* numbers = this->Order.GetBlocks().data();
+    const auto blocks = static_cast<std::int64_t>(this->Order.GetBlocks().size());
+    const auto range = static_cast<unsigned int>(last - number);
+    for (std::int64_t block = 0; block < blocks; ++block)
+    {
+      const unsigned int i = numbers[block] - static_cast<unsigned int>(number);
+      if (i < range)
+      {
+        this->Blocks[next[i]++] = block;
+      }
+    }
+  }
+
+  const RefinementOrder& Order;
+  const std::vector<std::int32_t>& Counts;
+  std::vector<std::int32_t> First; // in Blocks, -1: not read yet
+  std::vector<std::int64_t> Blocks;
+};
+
+// The first block in the order that was not refined from a level.
+struct Front
+{
+  int Number = 0;
+  int Index = 0; // among the blocks of that number
+
+  bool operator<(const Front& other) const
+  {
+    return this->Number != other.Number ? this->Number < other.Number : this->Index < other.Index;
+  }
+};
+
+class Greedy
+{
+public:
+  Greedy(const RefinementOrder& order, const AtlasShape& shape, int coarsest, std::int64_t blocks,
+    const std::vector<std::int32_t>& counts)
+    : Order(order), Coarsest(coarsest), Taken(shape, coarsest, blocks), Queue(order, counts)
+  {
+  }
+
+  // Up to the last time before which everything fits for sure.
+  void RefineAtOnce(const std::vector<std::int32_t>& counts)
+  {
+    std::vector<std::int32_t> before(counts.size(), 0);
+    std::partial_sum(counts.begin(), counts.end() - 1, before.begin() + 1);
+    int time = this->FindLast(0,
+      [&](int t)
+      {
+        Occupancy taken = this->Taken;
+        this->RefineUntil(t, before, taken);
+        return taken.FitsForSure();
+      });
+    for (int last = -1; last < time;)
+    {
+      this->Taken = this->Start;
+      this->RefineUntil(time, before, this->Taken);
+      last = time;
+      time = this->FindLast(time,
+        [&](int t)
+        {
+          // Bricks come to a level before any leaves it.
+          Occupancy most = this->Taken;
+          for (int level = this->Coarsest; level > 0; --level)
+          {
+            most.Add(level - 1,
+              before[this->GetFirstNumber(t, level)] - before[this->GetFirstNumber(time, level)]);
+          }
+          return most.Fits();
+        });
+    }
+    for (int level = 1; level <= this->Coarsest; ++level)
+    {
+      this->Fronts[level] = { this->GetFirstNumber(time, level), 0 };
+    }
+  }
+
+  void RefineOneByOne()
+  {
+    std::array<bool, MostLevels + 1> waits = {};
+    while (const int level = this->FindNext(waits))
+    {
+      const std::int64_t depth = this->Taken.GetDepth();
+      waits[level] = !this->Taken.RefineIfFits(level);
+      if (!waits[level])
+      {
+        ++this->Fronts[level].Index;
+        // There is room for a brick of this level, and one more may leave a slab of the next.
+        waits[level + 1] = waits[level - 1] = false;
+      }
+      if (this->Taken.GetDepth() < depth)
+      {
+        waits = {};
+      }
+    }
+  }
+
+  void Write(std::vector<std::int8_t>& levels)
+  {
+    const std::vector<std::uint16_t>& numbers = this->Order.GetBlocks();
+    std::vector<std::int8_t> levelOf(
+      std::size_t(RefinementOrder::Never) + 1, static_cast<std::int8_t>(this->Coarsest));
+    for (int level = this->Coarsest; level > 0; --level)
+    {
+      std::fill_n(levelOf.begin(), this->Fronts[level].Number, static_cast<std::int8_t>(level - 1));
+    }
+    levelOf[RefinementOrder::Never] = NoLevel;
+    levels.resize(numbers.size());
+    std::transform(numbers.begin(), numbers.end(), levels.begin(),
+      [&levelOf](std::uint16_t number) { return levelOf[number]; });
+    for (int level = 1; level <= this->Coarsest; ++level)
+    {
+      const int number = this->Fronts[level].Number;
+      for (int i = 0; this->Fronts[level].Index > 0 && i < this->Queue.GetCount(number); ++i)
+      {
+        levels[this->Queue.GetBlocks(number)[i]] = this->GetLevel({ number, i });
+      }
+    }
+  }
+
+private:
+  static constexpr int MostLevels = 8;
+
+  // Of the blocks that are not refined from this level before that time.
+  int GetFirstNumber(int time, int level) const
+  {
+    return std::min<int>(
+      this->Order.GetNumber(time - this->Order.GetDelay(level)), RefinementOrder::Never);
+  }
+
+  // All refinements before this time.
+  void RefineUntil(int time, const std::vector<std::int32_t>& before, Occupancy& taken) const
+  {
+    for (int level = this->Coarsest; level > 0; --level)
+    {
+      taken.Refine(level, before[this->GetFirstNumber(time, level)]);
+    }
+  }
+
+  // The last time for which this holds, if it holds for `low`.
+  template <typename Condition>
+  int FindLast(int low, const Condition& holds) const
+  {
+    int high = this->Order.GetTime(RefinementOrder::Never) + this->Order.GetDelay(1);
+    while (high - low > 1)
+    {
+      const int middle = low + (high - low) / 2;
+      (holds(middle) ? low : high) = middle;
+    }
+    return low;
+  }
+
+  // The level whose refinement comes next, 0 if there is none. Levels that wait are left out.
+  int FindNext(const std::array<bool, MostLevels + 1>& waits)
+  {
+    int next = 0;
+    int earliest = std::numeric_limits<int>::max();
+    std::int64_t first = 0;
+    for (int level = this->Coarsest; level > 0; --level)
+    {
+      if (waits[level] || !this->HasBlock(level))
+      {
+        continue;
+      }
+      const Front& front = this->Fronts[level];
+      const int time = this->Order.GetTime(front.Number) + this->Order.GetDelay(level);
+      const std::int64_t block = this->Queue.GetBlocks(front.Number)[front.Index];
+      if (time < earliest || (time == earliest && block < first))
+      {
+        next = level;
+        earliest = time;
+        first = block;
+      }
+    }
+    return next;
+  }
+
+  // Whether any block has this level; if so the front stands at the first of them.
+  bool HasBlock(int level)
+  {
+    Front& front = this->Fronts[level];
+    while (
+      front.Number < RefinementOrder::Never && front.Index >= this->Queue.GetCount(front.Number))
+    {
+      front = { front.Number + 1, 0 };
+    }
+    return front.Number < RefinementOrder::Never &&
+           (level == this->Coarsest || front < this->Fronts[level + 1]);
+  }
+
+  std::int8_t GetLevel(const Front& block) const
+  {
+    int level = this->Coarsest;
+    while (level > 0 && block < this->Fronts[level])
+    {
+      --level;
+    }
+    return static_cast<std::int8_t>(level);
+  }
+
+  const RefinementOrder& Order;
+  int Coarsest;
+  Occupancy Taken;
+  Occupancy Start = Taken;
+  BlockQueue Queue;
+  std::array<Front, MostLevels> Fronts = {};
+};
 } // namespace
 
-std::optional<std::vector<std::int8_t>> SelectLevels(const BlockGrid& grid, const AtlasShape& shape,
-  const std::vector<std::uint8_t>& visible, const LodCriteria& criteria)
+bool LodSelector::Select(const RefinementOrder& order, const AtlasShape& shape, int numberOfLevels)
 {
-  const std::int64_t blocks =
-    std::count_if(visible.begin(), visible.end(), [](std::uint8_t v) { return v != 0; });
-  const std::optional<int> coarsest = FindCoarsest(shape, blocks, criteria.NumberOfLevels);
+  this->Counts.assign(std::size_t(RefinementOrder::Never) + 1, 0);
+  for (const std::uint16_t number : order.GetBlocks())
+  {
+    ++this->Counts[number];
+  }
+  const auto blocks =
+    static_cast<std::int64_t>(order.GetBlocks().size()) - this->Counts[RefinementOrder::Never];
+  const std::optional<int> coarsest = FindCoarsest(shape, blocks, numberOfLevels);
   if (!coarsest)
   {
-    return {};
+    return false;
   }
-  std::vector<std::int8_t> levels(visible.size(), NoLevel);
-  std::vector<std::int64_t> bricks(shape.GetNumberOfLevels(), 0);
-  bricks[0] = blocks;
-  if (shape.GetDepthOf(bricks) <= shape.GetDepth())
-  {
-    std::transform(visible.begin(), visible.end(), levels.begin(),
-      [](std::uint8_t v) -> std::int8_t { return v ? 0 : NoLevel; });
-    return levels;
-  }
-  bricks[0] = 0;
-  bricks[*coarsest] = blocks;
-  std::vector<double> distances(visible.size(), 0.0);
-  std::vector<Candidate> start;
-  for (std::size_t block = 0; block < visible.size(); ++block)
-  {
-    if (visible[block])
-    {
-      const auto number = static_cast<std::int64_t>(block);
-      levels[block] = static_cast<std::int8_t>(*coarsest);
-      distances[block] = GetDistance(grid, number, criteria);
-      start.push_back({ IsInView(grid, number, criteria),
-        1.0 / (distances[block] + GetDiagonal(grid, *coarsest, criteria)), number });
-    }
-  }
-
-  std::priority_queue<Candidate> queue({}, std::move(start));
-  while (!queue.empty())
-  {
-    const std::int64_t block = queue.top().Block;
-    const bool isInView = queue.top().IsInView;
-    queue.pop();
-    const int level = levels[block];
-    if (level == 0)
-    {
-      continue;
-    }
-    --bricks[level];
-    ++bricks[level - 1];
-    if (shape.GetDepthOf(bricks) > shape.GetDepth())
-    {
-      ++bricks[level];
-      --bricks[level - 1];
-      continue; // a smaller brick may still find a place
-    }
-    levels[block] = static_cast<std::int8_t>(level - 1);
-    queue.push(
-      { isInView, 1.0 / (distances[block] + GetDiagonal(grid, level - 1, criteria)), block });
-  }
-  return levels;
+  const bool areAllFinest = Occupancy(shape, 0, blocks).Fits();
+  Greedy greedy(order, shape, areAllFinest ? 0 : *coarsest, blocks, this->Counts);
+  greedy.RefineAtOnce(this->Counts);
+  greedy.RefineOneByOne();
+  greedy.Write(this->Levels);
+  return true;
 }
 } // namespace flatblock

@@ -4,21 +4,29 @@
 
 namespace flatblock
 {
-namespace
+std::vector<std::int64_t> CountBricks(
+  const std::vector<std::int8_t>& levels, const AtlasShape& shape)
 {
-class Step
+  std::vector<std::int64_t> bricks(shape.GetNumberOfLevels(), 0);
+  for (const std::int8_t level : levels)
+  {
+    if (level != NoLevel)
+    {
+      ++bricks[level];
+    }
+  }
+  return bricks;
+}
+
+class Refiner::Step
 {
 public:
-  Step(const BlockGrid& grid, const AtlasShape& shape, const std::vector<std::int8_t>& current,
-    const std::vector<std::int8_t>& target, const RefinementBudget& budget)
-    : Grid(grid), Shape(shape), Target(target), Budget(budget), Levels(current),
-      Bricks(shape.GetNumberOfLevels(), 0)
+  Step(const Refiner& refiner, const std::vector<std::int8_t>& target,
+    const std::vector<std::int8_t>& current, const std::vector<std::uint16_t>& order,
+    const RefinementBudget& budget)
+    : Own(refiner), Target(target), Order(order), Budget(budget), Levels(current),
+      Bricks(CountBricks(current, refiner.Shape))
   {
-    this->Levels.resize(target.size(), NoLevel);
-    for (const std::int8_t level : this->Levels)
-    {
-      this->Count(level, 1);
-    }
   }
 
   std::vector<std::int8_t> Take()
@@ -34,7 +42,7 @@ public:
       return this->Target;
     }
     this->Refine();
-    while (!this->Collapses.empty() && this->HasBudget())
+    while (!this->Collapses.empty() && this->HasBudget(this->Collapses.back()))
     {
       this->CollapseOne();
     }
@@ -42,36 +50,78 @@ public:
   }
 
 private:
-  void Count(std::int8_t level, int change)
-  {
-    if (level != NoLevel)
-    {
-      this->Bricks[level] += change;
-    }
-  }
-
   void SetLevel(std::size_t block, std::int8_t level)
   {
-    this->Count(this->Levels[block], -1);
-    this->Count(level, 1);
+    if (this->Levels[block] != NoLevel)
+    {
+      --this->Bricks[this->Levels[block]];
+    }
+    if (level != NoLevel)
+    {
+      ++this->Bricks[level];
+    }
     this->Levels[block] = level;
   }
 
-  bool Fits() const { return this->Shape.GetDepthOf(this->Bricks) <= this->Shape.GetDepth(); }
-  bool HasBudget() const { return this->Budget.Blocks > 0 && this->Budget.Texels > 0; }
+  bool Fits() const { return this->Own.Shape.GetDepthOf(this->Bricks) <= this->Own.Depth; }
 
-  void Change(std::size_t block, std::int8_t level)
+  // Of the brick, and of the borders that follow it.
+  std::int64_t GetTexels(std::size_t block)
   {
-    const std::int64_t side = this->Grid.GetBrickSide(level);
+    const std::int8_t level = this->Target[block];
+    std::int64_t texels = CountTexels(WholeBrick, this->Own.Grid.GetBrickSide(level));
+    if (this->Own.Borders == Continuity::Off)
+    {
+      return texels;
+    }
+    const std::int8_t before = this->Levels[block];
+    const std::int8_t coarser = std::max(level, before);
+    const Index3 p = this->Own.Grid.GetPosition(static_cast<std::int64_t>(block));
+    const Index3& blocks = this->Own.Grid.GetBlocks();
+    for (int z = std::max(p[2] - 1, 0); z <= std::min(p[2] + 1, blocks[2] - 1); ++z)
+    {
+      for (int y = std::max(p[1] - 1, 0); y <= std::min(p[1] + 1, blocks[1] - 1); ++y)
+      {
+        for (int x = std::max(p[0] - 1, 0); x <= std::min(p[0] + 1, blocks[0] - 1); ++x)
+        {
+          const std::int64_t other = this->Own.Grid.GetBlock({ x, y, z });
+          const bool isFiner = this->Levels[other] != NoLevel && this->Levels[other] < coarser;
+          if (isFiner && other != static_cast<std::int64_t>(block))
+          {
+            const BlockBorder old = this->GetBorder(other);
+            this->Levels[block] = level;
+            const BrickParts parts = GetChangedParts(old, this->GetBorder(other));
+            this->Levels[block] = before;
+            texels += CountTexels(parts, this->Own.Grid.GetBrickSide(this->Levels[other]));
+          }
+        }
+      }
+    }
+    return texels;
+  }
+
+  BlockBorder GetBorder(std::int64_t block) const
+  {
+    return GetBlockBorder(this->Own.Grid, this->Levels, block, this->Own.Borders);
+  }
+
+  bool HasBudget(std::size_t block)
+  {
+    return this->IsFirst ||
+           (this->Budget.Blocks > 0 && this->GetTexels(block) <= this->Budget.Texels);
+  }
+
+  void Change(std::size_t block)
+  {
     --this->Budget.Blocks;
-    this->Budget.Texels -= side * side * side;
-    this->SetLevel(block, level);
+    this->Budget.Texels -= this->GetTexels(block);
+    this->IsFirst = false;
+    this->SetLevel(block, this->Target[block]);
   }
 
   void ShowAndHide()
   {
-    const int coarsest = this->Shape.GetNumberOfLevels() - 1;
-    const auto first = static_cast<std::int8_t>(std::min(coarsest, FirstShownLevel));
+    std::vector<std::size_t> shown;
     for (std::size_t block = 0; block < this->Target.size(); ++block)
     {
       if (this->Target[block] == NoLevel)
@@ -80,15 +130,41 @@ private:
       }
       else if (this->Levels[block] == NoLevel)
       {
-        this->SetLevel(block, std::max(first, this->Target[block]));
+        shown.push_back(block);
       }
     }
+    const std::int8_t first = this->GetFirstLevel(static_cast<std::int64_t>(shown.size()));
+    for (const std::size_t block : shown)
+    {
+      this->SetLevel(block, std::max(first, this->Target[block]));
+      const std::int64_t side = this->Own.Grid.GetBrickSide(this->Levels[block]);
+      this->Budget.Texels -= side * side * side;
+      this->IsFirst = false;
+    }
+  }
+
+  // Fine enough to be recognized, where so many can be afforded.
+  std::int8_t GetFirstLevel(std::int64_t blocks) const
+  {
+    constexpr int Recognizable = 3;
+    const int coarsest = this->Own.Shape.GetNumberOfLevels() - 1;
+    int level = std::min(coarsest, Recognizable);
+    const auto texels = [this, blocks](int l)
+    {
+      const std::int64_t side = this->Own.Grid.GetBrickSide(l);
+      return blocks * side * side * side;
+    };
+    while (level < coarsest && texels(level) > this->Budget.Texels)
+    {
+      ++level;
+    }
+    return static_cast<std::int8_t>(level);
   }
 
   // Both in the order in which they are taken from the back.
   void SortChanges()
   {
-    for (std::size_t block = this->Target.size(); block-- > 0;)
+    for (std::size_t block = 0; block < this->Target.size(); ++block)
     {
       if (this->Target[block] > this->Levels[block])
       {
@@ -99,62 +175,66 @@ private:
         this->Refinements.push_back(block);
       }
     }
+    std::stable_sort(this->Collapses.begin(), this->Collapses.end(),
+      [this](std::size_t a, std::size_t b) { return this->Order[a] < this->Order[b]; });
+    std::reverse(this->Refinements.begin(), this->Refinements.end());
     std::stable_sort(this->Refinements.begin(), this->Refinements.end(),
-      [this](std::size_t a, std::size_t b) { return this->Target[a] > this->Target[b]; });
+      [this](std::size_t a, std::size_t b) { return this->Order[a] > this->Order[b]; });
   }
 
   void CollapseOne()
   {
     const std::size_t block = this->Collapses.back();
     this->Collapses.pop_back();
-    this->Change(block, this->Target[block]);
+    this->Change(block);
   }
 
   void Refine()
   {
-    while (!this->Refinements.empty() && this->HasBudget())
+    while (!this->Refinements.empty() && this->HasBudget(this->Refinements.back()))
     {
       const std::size_t block = this->Refinements.back();
       const std::int8_t before = this->Levels[block];
-      const RefinementBudget budget = this->Budget;
-      this->Change(block, this->Target[block]);
-      if (this->Fits())
-      {
-        this->Refinements.pop_back();
-        continue;
-      }
+      this->SetLevel(block, this->Target[block]);
+      const bool fits = this->Fits();
       this->SetLevel(block, before);
-      this->Budget = budget;
-      if (this->Collapses.empty())
+      if (fits)
+      {
+        this->Change(block);
+        this->Refinements.pop_back();
+      }
+      else if (this->Collapses.empty())
       {
         // Slabs of many levels, each begun: only all changes together fit.
         this->Levels = this->Target;
         return;
       }
-      this->CollapseOne();
+      else if (this->HasBudget(this->Collapses.back()))
+      {
+        this->CollapseOne();
+      }
+      else
+      {
+        return;
+      }
     }
   }
 
-  // A block that comes into view is small at first, so that many can come at once.
-  static constexpr int FirstShownLevel = 3;
-
-  const BlockGrid& Grid;
-  const AtlasShape& Shape;
+  const Refiner& Own;
   const std::vector<std::int8_t>& Target;
+  const std::vector<std::uint16_t>& Order;
   RefinementBudget Budget;
   std::vector<std::int8_t> Levels;
   std::vector<std::int64_t> Bricks;
   std::vector<std::size_t> Collapses;
   std::vector<std::size_t> Refinements;
+  bool IsFirst = true; // change of this frame, which needs no budget
 };
-} // namespace
 
-std::vector<std::int8_t> StepTowards(const BlockGrid& grid, const AtlasShape& shape,
-  const std::vector<std::int8_t>& current, const std::vector<std::int8_t>& target,
-  RefinementBudget budget)
+std::vector<std::int8_t> Refiner::StepTowards(const std::vector<std::int8_t>& target,
+  const std::vector<std::int8_t>& current, const std::vector<std::uint16_t>& order,
+  const RefinementBudget& budget) const
 {
-  budget.Blocks = std::max<std::int64_t>(budget.Blocks, 1);
-  budget.Texels = std::max<std::int64_t>(budget.Texels, 1);
-  return Step(grid, shape, current, target, budget).Take();
+  return Step(*this, target, current, order, budget).Take();
 }
 } // namespace flatblock

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "AtlasShape.h"
+#include "BlockBorders.h"
 #include "BlockGrid.h"
 #include "LodSelector.h"
 
@@ -14,17 +15,41 @@ namespace flatblock
 struct RefinementBudget
 {
   std::int64_t Blocks = 0; ///< that change their level
-  std::int64_t Texels = 0; ///< of the bricks that they get
+  std::int64_t Texels = 0; ///< of the bricks that they get, and of their neighbours' borders
 };
 
-/// One frame's part of the way from `current` to `target`; at least one block changes where they
-/// differ. Blocks that are new to the picture come at their coarsest level at once, whatever the
-/// budget. Of the others, those that are to be finest come first; blocks that are to be coarser
-/// give up their memory as it is needed. The result fits the shape.
-///
-/// @param current  of every block; may be empty: nothing is there yet
-/// @param target   of every block, which together fit the shape
-std::vector<std::int8_t> StepTowards(const BlockGrid& grid, const AtlasShape& shape,
-  const std::vector<std::int8_t>& current, const std::vector<std::int8_t>& target,
-  RefinementBudget budget);
+/// Bricks of each level.
+std::vector<std::int64_t> CountBricks(
+  const std::vector<std::int8_t>& levels, const AtlasShape& shape);
+
+class Refiner
+{
+public:
+  /// @param depth  texels of the atlas along z, at most those of the shape
+  Refiner(const BlockGrid& grid, const AtlasShape& shape, int depth, Continuity continuity)
+    : Grid(grid), Shape(shape), Depth(depth), Borders(continuity)
+  {
+  }
+
+  /// One frame's part of the way from `current` to `target`; at least one block changes where they
+  /// differ, and no other one if that is more than the budget. Blocks that are new to the picture
+  /// come at once, at a coarse level that keeps the budget if there is one. Blocks that matter more
+  /// are refined first; those that matter less give up their memory as it is needed. The result
+  /// fits the atlas.
+  ///
+  /// @param target   of every block, which together fit
+  /// @param current  of every block, which together fit
+  /// @param order    of every block, small for those that matter
+  std::vector<std::int8_t> StepTowards(const std::vector<std::int8_t>& target,
+    const std::vector<std::int8_t>& current, const std::vector<std::uint16_t>& order,
+    const RefinementBudget& budget) const;
+
+private:
+  class Step;
+
+  const BlockGrid& Grid;
+  const AtlasShape& Shape;
+  int Depth;
+  Continuity Borders;
+};
 } // namespace flatblock

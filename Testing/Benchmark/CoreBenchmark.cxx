@@ -64,22 +64,33 @@ void PlainMinMax(benchmark::State& state)
 }
 BENCHMARK(PlainMinMax)->Arg(512)->UseRealTime()->Unit(benchmark::kMillisecond);
 
-// A decision is a block that is refined by one level or left as it is.
+// Every block at the next position of a point of interest that moves on by one block. A decision is
+// a block that is refined by one level or left as it is.
 void SelectLevels(benchmark::State& state)
 {
   const int n = 16 * static_cast<int>(state.range(0)) + 1;
   const BlockGrid grid({ n, n, n }, 17);
   const std::int64_t blocks = grid.GetNumberOfBlocks();
   const AtlasShape shape({ { 17, 9, 5, 3, 2 }, blocks * 1200, blocks, 16384 });
-  const std::vector<std::uint8_t> visible(blocks, 1);
+  const std::vector<flatblock::BlockRank> ranks(blocks, flatblock::BlockRank::InView);
+  flatblock::RefinementOrder order;
+  flatblock::LodSelector selector;
   std::int64_t decisions = 0;
+  double x = -200.0;
   for ([[maybe_unused]] auto _ : state)
   {
-    const auto levels = flatblock::SelectLevels(grid, shape, visible, {});
-    for (const std::int8_t level : *levels)
+    x = x > 200.0 ? -200.0 : x + 16.0;
+    order.SetToDistance(grid, ranks, { x, 50.0, 30.0 }, { 1.0, 1.0, 1.0 });
+    if (!selector.Select(order, shape, 4))
+    {
+      state.SkipWithError("nothing fits");
+    }
+    state.PauseTiming();
+    for (const std::int8_t level : selector.GetLevels())
     {
       decisions += 3 - level + (level > 0 ? 1 : 0);
     }
+    state.ResumeTiming();
   }
   state.SetItemsProcessed(decisions);
 }

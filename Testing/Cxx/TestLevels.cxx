@@ -3,59 +3,36 @@
 #include "Volumes.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkExtractVOI.h"
+#include "vtkPlane.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <sstream>
 
 using namespace flatblock::testing;
 
-namespace
-{
-constexpr vtkTypeInt64 Beside = 1 << 19; // index, table, depth: all that is not atlas, at most
-
-void Prepare(Scene& scene, vtkTypeInt64 limit)
-{
-  scene.SetVolume(MarschnerLobb(128), 0.5 * 2.0 / 127.0);
-  scene.SetOpacity({ { 90.0, 0.0 }, { 125.0, 0.6 }, { 160.0, 0.0 } });
-  scene.SetColor({ { 90.0, 0.2, 0.4, 0.9 }, { 125.0, 0.9, 0.9, 0.7 }, { 160.0, 0.9, 0.3, 0.1 } });
-  scene.Property->SetScalarOpacityUnitDistance(0.01);
-  scene.Mapper->SetBlockSize(17);
-  scene.Mapper->SetMaxMemoryInBytes(limit);
-  scene.LookFrom(30.0, 40.0, 1.3);
-}
-
-vtkTypeInt64 CountBricks(vtkFlatBlockVolumeMapper* mapper)
-{
-  vtkTypeInt64 bricks = 0;
-  for (int level = 0; level < 7; ++level)
-  {
-    bricks += mapper->GetNumberOfBricks(level);
-  }
-  return bricks;
-}
-} // namespace
-
 TEST(Levels, ErrorFallsAsTheLimitRises)
 {
   Scene scene;
-  Prepare(scene, 256 << 20);
+  ShowShell(scene, 256 << 20);
   const auto full = scene.Draw();
-  const vtkTypeInt64 all = scene.Mapper->GetMemoryInBytes();
-  const vtkTypeInt64 atlas = scene.Mapper->GetAtlasBytes();
+  const vtkTypeInt64 beside = scene.Mapper->GetMemoryInBytes() - scene.Mapper->GetAtlasBytes();
+  const vtkTypeInt64 bricks = scene.Mapper->GetUsedAtlasBytes();
   EXPECT_EQ(scene.Mapper->GetNumberOfBricks(0), scene.Mapper->GetNumberOfVisibleBlocks());
   double last = 100.0;
   for (int part : { 2, 8, 32 })
   {
-    const vtkTypeInt64 limit = all - atlas + atlas / part;
+    const vtkTypeInt64 limit = beside + bricks / part;
     scene.Mapper->SetMaxMemoryInBytes(limit);
     const double psnr = PSNR(scene.Draw(), full);
-    std::cout << "1/" << part << " of the atlas: " << psnr << " dB\n";
+    std::cout << "1/" << part << " of the bricks: " << psnr << " dB\n";
     EXPECT_LE(scene.Mapper->GetMemoryInBytes(), limit);
-    EXPECT_GE(scene.Mapper->GetAtlasBytes(), atlas / part * 8 / 10);
+    EXPECT_GE(scene.Mapper->GetUsedAtlasBytes(), bricks / part * 7 / 10);
     EXPECT_EQ(CountBricks(scene.Mapper), scene.Mapper->GetNumberOfVisibleBlocks());
     EXPECT_LT(psnr, last);
     EXPECT_GE(psnr, 15.0);
@@ -63,105 +40,116 @@ TEST(Levels, ErrorFallsAsTheLimitRises)
     last = psnr;
   }
   scene.Mapper->SetMaxMemoryInBytes(256 << 20);
-  EXPECT_LE(LargestDifference(scene.Draw(), full), 1.0);
+  EXPECT_EQ(LargestDifference(scene.Draw(), full), 0.0);
 }
 
-TEST(Levels, LimitHoldsUnderRandomChanges)
+namespace
 {
-  std::mt19937 random(5);
-  const auto uniform = [&random](double from, double to)
-  { return std::uniform_real_distribution<double>(from, to)(random); };
-  Scene scene;
-  Prepare(scene, 256 << 20);
-  for (int change = 0; change < 60; ++change)
+// Everything that a walk changes, so that a fresh scene can be brought to the same place.
+struct Inputs
+{
+  double Azimuth = 30.0;
+  double Elevation = 40.0;
+  double Zoom = 1.3;
+  bool IsCameraOfInterest = true;
+  double Point[3] = { 0.0, 0.0, 0.0 };
+  vtkTypeInt64 Limit = 800000;
+  double Ramp[3] = { 90.0, 200.0, 0.5 };
+  int Size = 200;
+  int BlockSize = 17;
+  bool IsContinuous = true;
+  bool IsFiltered = false;
+
+  void ApplyTo(Scene& scene) const
   {
-    const vtkTypeInt64 limitBefore = scene.Mapper->GetMaxMemoryInBytes();
-    switch (random() % 6)
+    scene.Window->SetSize(this->Size, this->Size);
+    scene.Mapper->SetBlockSize(this->BlockSize);
+    scene.Mapper->SetMaxMemoryInBytes(this->Limit);
+    scene.Mapper->SetInterblockContinuity(this->IsContinuous);
+    scene.Mapper->SetLevelFilter(this->IsFiltered);
+    scene.Mapper->SetUseCameraAsPointOfInterest(this->IsCameraOfInterest);
+    scene.Mapper->SetPointOfInterest(this->Point[0], this->Point[1], this->Point[2]);
+    scene.SetRamp(this->Ramp[0], this->Ramp[1], this->Ramp[2]);
+    scene.LookFrom(this->Azimuth, this->Elevation, this->Zoom);
+  }
+
+  void ChangeOne(std::mt19937& random)
+  {
+    const auto uniform = [&random](double from, double to)
+    { return std::uniform_real_distribution<double>(from, to)(random); };
+    switch (random() % 12)
     {
     case 0:
-      scene.Mapper->SetMaxMemoryInBytes(Beside + vtkTypeInt64(uniform(5e4, 3e6)));
+      this->Limit = Beside + vtkTypeInt64(uniform(1e5, 3e6));
       break;
     case 1:
-    {
-      const int sizes[] = { 17, 33, 65 };
-      scene.Mapper->SetBlockSize(sizes[random() % 3]);
+      this->Ramp[0] = uniform(0.0, 120.0);
+      this->Ramp[1] = uniform(130.0, 255.0);
+      this->Ramp[2] = uniform(0.1, 0.9);
       break;
-    }
     case 2:
-      scene.SetRamp(uniform(0.0, 120.0), uniform(130.0, 255.0), uniform(0.1, 0.9));
-      break;
     case 3:
-      scene.Mapper->SetUseCameraAsPointOfInterest(random() % 2 == 0);
-      scene.Mapper->SetPointOfInterest(uniform(-1.0, 1.0), uniform(-1.0, 1.0), 0.5);
-      break;
     case 4:
-      scene.Window->SetSize(int(uniform(60.0, 300.0)), int(uniform(60.0, 300.0)));
+      this->IsCameraOfInterest = random() % 4 == 0;
+      std::generate(this->Point, this->Point + 3, [&] { return uniform(-1.0, 1.0); });
+      break;
+    case 5:
+      this->Size = 100 + int(random() % 150);
+      break;
+    case 6:
+      this->BlockSize = random() % 2 == 0 ? 17 : 33;
+      break;
+    case 7:
+      this->IsContinuous = !this->IsContinuous;
+      break;
+    case 8:
+      this->IsFiltered = !this->IsFiltered;
       break;
     default:
-      scene.LookFrom(uniform(0.0, 360.0), uniform(-80.0, 80.0));
+      this->Azimuth = uniform(0.0, 360.0);
+      this->Elevation = uniform(-80.0, 80.0);
+      this->Zoom = uniform(0.8, 2.0);
     }
-    const auto messages = Listen([&] { scene.Window->Render(); });
-    ASSERT_TRUE(messages.Errors.empty()) << change << ": " << messages.Errors[0];
-    const vtkTypeInt64 limit = scene.Mapper->GetMaxMemoryInBytes();
-    ASSERT_LE(scene.Mapper->GetMemoryInBytes(), limit) << "change " << change;
-    ASSERT_LE(scene.Mapper->GetPeakMemoryInBytes(), std::max(limit, limitBefore)) << change;
-    ASSERT_EQ(CountBricks(scene.Mapper), scene.Mapper->GetNumberOfVisibleBlocks());
   }
-  EXPECT_TRUE(ShowsSomething(Grab(scene.Window)));
-}
+};
+} // namespace
 
-TEST(Levels, ConvergedPicturesDependOnTheirInputsAlone)
+TEST(Levels, StillsDependOnTheirInputsAlone)
 {
+  std::mt19937 random(14);
+  Inputs inputs;
   Scene walked;
-  Prepare(walked, 500000);
-  for (double azimuth : { 0.0, 90.0, 200.0 })
-  {
-    walked.LookFrom(azimuth, 10.0);
-    walked.Draw();
-  }
-  walked.LookFrom(30.0, 40.0, 1.3);
-  Scene fresh;
-  Prepare(fresh, 500000);
-  // Bricks at other places of the atlas round differently in the last bit.
-  EXPECT_LE(LargestDifference(walked.Draw(), fresh.Draw()), 1.0);
-  for (int level = 0; level < 5; ++level)
-  {
-    EXPECT_EQ(walked.Mapper->GetNumberOfBricks(level), fresh.Mapper->GetNumberOfBricks(level));
-  }
-}
-
-// Bricks that move within the atlas must show what they showed before.
-TEST(Levels, CompactionIsNotSeen)
-{
+  ShowShell(walked, inputs.Limit);
   vtkTypeInt64 moved = 0;
-  Scene walked;
-  Prepare(walked, 900000);
-  walked.Mapper->UseCameraAsPointOfInterestOff();
-  std::mt19937 random(4);
-  for (int step = 0; step < 40; ++step)
+  for (int step = 0; step < 60; ++step)
   {
-    std::uniform_real_distribution<double> anywhere(-1.5, 1.5);
-    const double point[3] = { anywhere(random), anywhere(random), anywhere(random) };
-    walked.Mapper->SetPointOfInterest(point[0], point[1], point[2]);
+    walked.Window->SetDesiredUpdateRate(15.0);
+    for (int frame = int(random() % 4); frame > 0; --frame)
+    {
+      inputs.ChangeOne(random);
+      inputs.ApplyTo(walked);
+      walked.Window->Render();
+      moved += walked.Mapper->GetMovedBytes();
+    }
+    walked.Window->SetDesiredUpdateRate(0.0001);
+    inputs.ChangeOne(random);
+    inputs.ApplyTo(walked);
     const auto picture = walked.Draw();
     moved += walked.Mapper->GetMovedBytes();
-    if (walked.Mapper->GetMovedBytes() > 0)
-    {
-      Scene fresh;
-      Prepare(fresh, 900000);
-      fresh.Mapper->UseCameraAsPointOfInterestOff();
-      fresh.Mapper->SetPointOfInterest(point[0], point[1], point[2]);
-      // Single pixels differ, since bricks at other places round differently.
-      ASSERT_GE(PSNR(picture, fresh.Draw()), 75.0) << "step " << step;
-    }
+    ASSERT_LE(walked.Mapper->GetPeakMemoryInBytes(), inputs.Limit);
+    Scene fresh;
+    ShowShell(fresh, inputs.Limit);
+    inputs.ApplyTo(fresh);
+    ASSERT_EQ(LargestDifference(picture, fresh.Draw()), 0.0) << "step " << step;
+    ASSERT_EQ(walked.Mapper->GetAtlasBytes(), fresh.Mapper->GetAtlasBytes()) << "step " << step;
   }
-  EXPECT_GT(moved, 0);
+  EXPECT_GT(moved, 1000000);
 }
 
 TEST(Levels, PointOfInterestIsFinest)
 {
   Scene scene;
-  Prepare(scene, 500000);
+  ShowShell(scene, 500000);
   const auto nearCamera = scene.Draw();
   scene.Mapper->UseCameraAsPointOfInterestOff();
   scene.Mapper->SetPointOfInterest(-1.0, -1.0, -1.0);
@@ -174,12 +162,12 @@ TEST(Levels, PointOfInterestIsFinest)
 TEST(Levels, InteractiveFramesRefineWithinTheirBudget)
 {
   Scene still;
-  Prepare(still, 800000);
+  ShowShell(still, 800000);
   const auto converged = still.Draw();
   EXPECT_TRUE(still.Mapper->GetConverged());
 
   Scene scene;
-  Prepare(scene, 800000);
+  ShowShell(scene, 800000);
   scene.Mapper->SetRefinementFraction(0.05);
   scene.Mapper->SetUploadBytesPerFrame(100000);
   std::vector<double> progress;
@@ -195,13 +183,20 @@ TEST(Levels, InteractiveFramesRefineWithinTheirBudget)
   EXPECT_LT(PSNR(first, converged), 40.0);
   for (int frame = 0; frame < 3; ++frame)
   {
+    const vtkTypeInt64 pending = scene.Mapper->GetNumberOfPendingChanges();
     scene.Draw();
-    // Bricks that only get a new border come on top.
-    EXPECT_LE(scene.Mapper->GetUploadedBytes(), 400000);
+    EXPECT_LE(scene.Mapper->GetUploadedBytes(), 100000);
+    EXPECT_LE(scene.Mapper->GetMovedBytes(), 100000);
     EXPECT_LE(scene.Mapper->GetPeakMemoryInBytes(), 800000);
+    EXPECT_LT(scene.Mapper->GetNumberOfPendingChanges(), pending);
+    EXPECT_GE(scene.Mapper->GetNumberOfPendingChanges(), pending - 512 / 20);
   }
   EXPECT_GT(scene.Mapper->RenderUntilConverged(scene.Window), 2);
-  EXPECT_LE(LargestDifference(Grab(scene.Window), converged), 1.0);
+  EXPECT_EQ(scene.Mapper->GetNumberOfPendingChanges(), 0);
+  // The same levels at other places of the atlas, where texture units round differently.
+  EXPECT_GE(PSNR(Grab(scene.Window), converged), 60.0);
+  scene.Window->SetDesiredUpdateRate(0.0001);
+  EXPECT_EQ(LargestDifference(scene.Draw(), converged), 0.0);
   ASSERT_GT(progress.size(), 4U);
   EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
   EXPECT_EQ(progress.back(), 1.0);
@@ -210,7 +205,7 @@ TEST(Levels, InteractiveFramesRefineWithinTheirBudget)
 TEST(Levels, HiddenVolumesAreNotWaitedFor)
 {
   Scene scene;
-  Prepare(scene, 800000);
+  ShowShell(scene, 800000);
   scene.Mapper->SetRefinementFraction(0.01);
   scene.Window->SetDesiredUpdateRate(15.0);
   scene.Draw();
@@ -225,7 +220,7 @@ TEST(Levels, HiddenVolumesAreNotWaitedFor)
 TEST(Levels, StillsConvergeBeforeTheyAreShown)
 {
   Scene scene;
-  Prepare(scene, 800000);
+  ShowShell(scene, 800000);
   scene.Mapper->SetRefinementFraction(0.01);
   scene.Window->SetDesiredUpdateRate(15.0);
   scene.Draw();
@@ -234,65 +229,123 @@ TEST(Levels, StillsConvergeBeforeTheyAreShown)
   const auto picture = scene.Draw();
   EXPECT_TRUE(scene.Mapper->GetConverged());
   Scene fresh;
-  Prepare(fresh, 800000);
-  EXPECT_LE(LargestDifference(picture, fresh.Draw()), 1.0);
+  ShowShell(fresh, 800000);
+  EXPECT_EQ(LargestDifference(picture, fresh.Draw()), 0.0);
 }
 
 TEST(Levels, StatisticsAreComplete)
 {
   Scene scene;
-  Prepare(scene, 800000);
+  ShowShell(scene, 800000);
   scene.Draw();
   scene.Draw();
+  const vtkFlatBlockVolumeMapper* mapper = scene.Mapper;
+  EXPECT_EQ(
+    mapper->GetUsedAtlasBytes() + mapper->GetFreeAtlasBytes() + mapper->GetUnusableAtlasBytes(),
+    mapper->GetAtlasBytes());
+  EXPECT_GT(mapper->GetUsedAtlasBytes(), mapper->GetAtlasBytes() / 2);
+  EXPECT_GT(mapper->GetSelectionMilliseconds() + mapper->GetUploadMilliseconds(), 0.0);
+  EXPECT_GT(mapper->GetDrawMilliseconds(), 0.0);
+  EXPECT_GE(mapper->GetRangeMilliseconds(), 0.0);
+  EXPECT_EQ(mapper->GetFramesSinceLastChange(), 1);
   std::ostringstream printed;
   scene.Mapper->PrintStatistics(printed);
   for (const char* words : { "Blocks: 512", "Visible blocks: ", "Bricks by level: ", "unusable",
-         "0 bytes uploaded, 0 moved", "Levels reached: 100 %", "Frames since the last change: 1",
+         "0 bytes uploaded, 0 moved", "Changes pending: 0", "Frames since the last change: 1",
          "Milliseconds: ranges " })
   {
     EXPECT_NE(printed.str().find(words), std::string::npos) << words << "\n" << printed.str();
   }
 }
 
-TEST(Levels, TooLittleMemoryIsSaid)
+namespace
+{
+// PSNR of the left and of the right half of two pictures.
+std::array<double, 2> ComparedHalves(vtkImageData* a, vtkImageData* b)
+{
+  std::array<double, 2> psnr;
+  const int width = a->GetDimensions()[0];
+  for (int half = 0; half < 2; ++half)
+  {
+    vtkSmartPointer<vtkImageData> parts[2];
+    for (int picture = 0; picture < 2; ++picture)
+    {
+      vtkNew<vtkExtractVOI> extract;
+      extract->SetInputData(picture == 0 ? a : b);
+      extract->SetVOI(
+        half * width / 2, (half + 1) * width / 2 - 1, 0, a->GetDimensions()[1] - 1, 0, 0);
+      extract->Update();
+      parts[picture] = extract->GetOutput();
+    }
+    psnr[half] = PSNR(parts[0], parts[1]);
+  }
+  return psnr;
+}
+} // namespace
+
+// What is beyond a plane or not in the cropping gives its memory to the rest.
+TEST(Levels, ClippedAndCroppedBlocksComeLast)
 {
   Scene scene;
-  Prepare(scene, 1000);
-  vtkSmartPointer<vtkImageData> picture;
-  const auto messages = Listen(
-    [&]
-    {
-      scene.Draw();
-      picture = scene.Draw();
-    });
-  ASSERT_EQ(messages.Errors.size(), 1U);
-  EXPECT_NE(messages.Errors[0].find("bytes are needed"), std::string::npos);
-  EXPECT_FALSE(ShowsSomething(picture));
-  scene.Mapper->SetMaxMemoryInBytes(256 << 20);
-  EXPECT_TRUE(ShowsSomething(scene.Draw()));
+  ShowShell(scene, 256 << 20);
+  scene.LookFrom(0.0, 60.0);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Mapper->UseCameraAsPointOfInterestOff();
+  scene.Mapper->SetPointOfInterest(0.0, 0.0, 100.0);
+  const auto full = scene.Draw();
+  scene.Mapper->SetMaxMemoryInBytes(900000);
+  const auto before = ComparedHalves(scene.Draw(), full);
+  EXPECT_NEAR(before[0], before[1], 1.0);
+  scene.Mapper->PrintStatistics(std::cout);
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(-1.0, 0.0, 0.0); // keeps the left half
+  scene.Mapper->AddClippingPlane(plane);
+  const auto clipped = ComparedHalves(scene.Draw(), full);
+  scene.Mapper->PrintStatistics(std::cout);
+  EXPECT_GE(clipped[0], before[0] + 3.0);
+  EXPECT_GE(clipped[0], clipped[1] + 10.0);
+  scene.Mapper->RemoveAllClippingPlanes();
+  EXPECT_EQ(ComparedHalves(scene.Draw(), full), before);
+  const double* bounds = scene.Mapper->GetBounds();
+  const double middle = 0.02; // where the fifth block begins
+  scene.Mapper->SetCroppingRegionPlanes(
+    middle, bounds[1], bounds[2], bounds[3], bounds[4], bounds[5]);
+  scene.Mapper->SetCroppingRegionFlagsToSubVolume();
+  scene.Mapper->CroppingOn(); // keeps the right half
+  const auto cropped = ComparedHalves(scene.Draw(), full);
+  EXPECT_GE(cropped[1], before[1] + 3.0);
+  EXPECT_GE(cropped[1], cropped[0] + 10.0);
 }
 
-TEST(Levels, VolumesLongerThanTheLargestTexture)
+TEST(Levels, NothingHasConvergedBeforeTheFirstFrame)
 {
   Scene scene;
-  scene.SetVolume(MakeVolume({ 5000, 34, 34 }, VTK_UNSIGNED_CHAR,
-                    [](int x, int y, int z) { return 128 + 100 * std::sin(0.01 * x) + y - z; }),
-    2.0);
-  scene.SetRamp(30.0, 240.0, 0.05);
-  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
-  scene.LookFrom(0.0, 0.0, 8.0);
-  for (double along : { 400.0, 2500.0, 4700.0 })
-  {
-    vtkCamera* camera = scene.Renderer->GetActiveCamera();
-    camera->SetPosition(along, 17.0, 1000.0);
-    camera->SetFocalPoint(along, 17.0, 0.0);
-    camera->SetParallelScale(100.0);
-    scene.Renderer->ResetCameraClippingRange();
-    scene.Mapper->SetMaxMemoryInBytes(256 << 20);
-    const auto full = scene.Draw();
-    EXPECT_TRUE(ShowsSomething(full)) << along;
-    scene.Mapper->SetMaxMemoryInBytes(Beside + 800000);
-    EXPECT_GE(PSNR(scene.Draw(), full), 35.0) << along;
-    EXPECT_GT(scene.Mapper->GetNumberOfBricks(1), 0);
-  }
+  ShowShell(scene, 800000);
+  EXPECT_FALSE(scene.Mapper->GetConverged());
+  scene.Draw();
+  EXPECT_TRUE(scene.Mapper->GetConverged());
+}
+
+// A ripple of a few samples is gone where it is filtered, and turns into another one where it is
+// subsampled.
+TEST(Levels, FilteredLevelsAreSmooth)
+{
+  const auto ripple = MakeVolume({ 129, 65, 65 }, VTK_UNSIGNED_SHORT,
+    [](int x, int y, int z) { return 20000.0 + 10000.0 * std::sin(2.9 * x) + 50.0 * (y + z); });
+  Scene scene;
+  scene.SetVolume(ripple, 0.5);
+  scene.SetRamp(10000.0, 40000.0, 0.05);
+  scene.Mapper->SetBlockSize(17);
+  scene.Mapper->SetMaxMemoryInBytes(330000);
+  scene.LookFrom(20.0, 30.0);
+  scene.Draw();
+  EXPECT_LT(scene.Mapper->GetNumberOfBricks(0), 5);
+  EXPECT_TRUE(MatchesBaseline(scene.Window, "LevelsSubsampled"));
+  scene.Mapper->SetLevelFilterToTent();
+  EXPECT_EQ(scene.Mapper->GetLevelFilter(), vtkFlatBlockVolumeMapper::TENT);
+  scene.Draw();
+  EXPECT_TRUE(MatchesBaseline(scene.Window, "LevelsFiltered"));
+  scene.Mapper->SetLevelFilterToSubsample();
+  scene.Draw();
+  EXPECT_TRUE(MatchesBaseline(scene.Window, "LevelsSubsampled"));
 }

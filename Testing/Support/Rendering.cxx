@@ -1,5 +1,7 @@
 #include "Rendering.h"
 
+#include "Volumes.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageDifference.h"
@@ -156,6 +158,27 @@ vtkSmartPointer<vtkImageData> Scene::DrawWithPeer()
   auto picture = Grab(this->Window);
   this->Volume->SetMapper(this->Mapper);
   return picture;
+}
+
+void ShowShell(Scene& scene, vtkTypeInt64 maxMemoryInBytes)
+{
+  scene.SetVolume(MarschnerLobb(128), 0.5 * 2.0 / 127.0);
+  scene.SetOpacity({ { 90.0, 0.0 }, { 125.0, 0.6 }, { 160.0, 0.0 } });
+  scene.SetColor({ { 90.0, 0.2, 0.4, 0.9 }, { 125.0, 0.9, 0.9, 0.7 }, { 160.0, 0.9, 0.3, 0.1 } });
+  scene.Property->SetScalarOpacityUnitDistance(0.01);
+  scene.Mapper->SetBlockSize(17);
+  scene.Mapper->SetMaxMemoryInBytes(maxMemoryInBytes);
+  scene.LookFrom(30.0, 40.0, 1.3);
+}
+
+vtkTypeInt64 CountBricks(vtkFlatBlockVolumeMapper* mapper)
+{
+  vtkTypeInt64 bricks = 0;
+  for (int level = 0; level < 7; ++level)
+  {
+    bricks += mapper->GetNumberOfBricks(level);
+  }
+  return bricks;
 }
 
 vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window)

@@ -51,6 +51,15 @@ public:
   vtkSmartPointer<vtkVolumeMapper> Peer;
 };
 
+/// Bytes of index texture, tables and depth in the windows of tests, at most: all but the atlas.
+constexpr vtkTypeInt64 Beside = 1 << 19;
+
+/// A translucent shell of the Marschner-Lobb signal in 8^3 blocks of 17, half of them visible.
+void ShowShell(Scene& scene, vtkTypeInt64 maxMemoryInBytes);
+
+/// Bricks of all levels.
+vtkTypeInt64 CountBricks(vtkFlatBlockVolumeMapper* mapper);
+
 /// The window's picture, RGB, 8 bit.
 vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window);
 

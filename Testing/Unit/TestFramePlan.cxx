@@ -7,6 +7,9 @@
 
 using flatblock::AtlasShape;
 using flatblock::BlockGrid;
+using flatblock::BrickPlace;
+using flatblock::BrickUpload;
+using flatblock::Continuity;
 using flatblock::FramePlan;
 using flatblock::NoLevel;
 using flatblock::Residency;
@@ -44,15 +47,22 @@ public:
     {
       const auto origin = residency.GetAtlas().GetOrigin(upload.Place);
       const int side = Sides[upload.Level];
-      this->Erase(origin, { side, side, side });
-      this->Bricks[origin] = upload;
+      if (upload.Parts == flatblock::WholeBrick)
+      {
+        this->Erase(origin, { side, side, side });
+        this->Bricks[origin] = upload;
+      }
+      else
+      {
+        this->UpdateBorder(this->Bricks.at(origin), upload);
+      }
     }
   }
 
   std::size_t Moves = 0;
 
-  void ExpectHolds(
-    const BlockGrid& grid, const Residency& residency, const Levels& levels, bool continuity) const
+  void ExpectHolds(const BlockGrid& grid, const Residency& residency, const Levels& levels,
+    Continuity continuity) const
   {
     ASSERT_EQ(residency.GetLevels(), levels);
     for (std::size_t block = 0; block < levels.size(); ++block)
@@ -67,13 +77,30 @@ public:
       ASSERT_NE(found, this->Bricks.end());
       ASSERT_EQ(found->second.Block, std::int64_t(block));
       ASSERT_EQ(found->second.Level, levels[block]);
-      const auto border =
-        continuity ? flatblock::GetBlockBorder(grid, levels, block) : flatblock::BlockBorder{};
-      ASSERT_EQ(found->second.Border, border);
+      ASSERT_EQ(found->second.Border, flatblock::GetBlockBorder(grid, levels, block, continuity));
     }
   }
 
 private:
+  // Only what is sent arrives: a face with its edges, an edge with its corners.
+  static void UpdateBorder(BrickUpload& held, const BrickUpload& sent)
+  {
+    ASSERT_EQ(held.Block, sent.Block);
+    ASSERT_EQ(held.Level, sent.Level);
+    for (int part = 0; part < 27; ++part)
+    {
+      for (int whole = 0; whole < 27; ++whole)
+      {
+        bool isCarried = (sent.Parts >> whole & 1U) != 0;
+        for (int p = part, w = whole, axis = 0; axis < 3; ++axis, p /= 3, w /= 3)
+        {
+          isCarried = isCarried && (w % 3 == 1 || w % 3 == p % 3);
+        }
+        held.Border[part] = isCarried ? sent.Border[part] : held.Border[part];
+      }
+    }
+  }
+
   using Held = std::map<flatblock::Index3, flatblock::BrickUpload>;
 
   static bool Overlap(const flatblock::Index3& a, const flatblock::Index3& sizeA,
@@ -127,74 +154,148 @@ TEST(FramePlan, UploadsOnlyWhatIsNew)
 {
   Residency residency;
   const AtlasShape shape = MakeShape(1'000'000, 4);
-  FramePlan plan = residency.Plan(Row, { 0, 0, NoLevel, 0, 0 }, shape, true);
+  const auto still = [&](const Levels& levels)
+  { return residency.PlanStill(Row, levels, shape, Continuity::Nested); };
+  FramePlan plan = still({ 0, 0, NoLevel, 0, 0 });
   EXPECT_TRUE(plan.NewAtlas);
   EXPECT_EQ(plan.Uploads.size(), 4U);
 
-  plan = residency.Plan(Row, { 0, 0, NoLevel, 0, 0 }, shape, true);
-  EXPECT_FALSE(plan.NewAtlas);
-  EXPECT_FALSE(plan.NewPlaces);
-  EXPECT_TRUE(plan.Uploads.empty());
+  EXPECT_TRUE(still({ 0, 0, NoLevel, 0, 0 }).IsEmpty());
 
-  plan = residency.Plan(Row, { 0, NoLevel, 0, 0, 0 }, shape, true);
+  plan = still({ 0, NoLevel, 0, 0, 0 });
   EXPECT_FALSE(plan.NewAtlas);
   EXPECT_TRUE(plan.NewPlaces);
   ASSERT_EQ(plan.Uploads.size(), 1U);
   EXPECT_EQ(plan.Uploads[0].Block, 2);
 }
 
-TEST(FramePlan, CoarserNeighboursChangeBorders)
+TEST(FramePlan, CoarserNeighboursChangeBordersOnly)
 {
   Residency residency;
   const AtlasShape shape = MakeShape(100'000, 50); // deep enough to stay
-  residency.Plan(Row, { 0, 0, 0, 0, 1 }, shape, true);
-  const FramePlan plan = residency.Plan(Row, { 0, 0, 0, 1, 1 }, shape, true);
+  residency.PlanStill(Row, { 0, 0, 0, 0, 1 }, shape, Continuity::Nested);
+  const FramePlan plan = residency.PlanStill(Row, { 0, 0, 0, 1, 1 }, shape, Continuity::Nested);
   EXPECT_FALSE(plan.NewAtlas);
-  ASSERT_EQ(plan.Uploads.size(), 2U); // the block itself, and the one before it
+  ASSERT_EQ(plan.Uploads.size(), 2U); // the block itself, and the face of the one before it
   EXPECT_EQ(plan.Uploads[0].Block, 2);
   EXPECT_EQ(plan.Uploads[0].Level, 0);
+  EXPECT_EQ(flatblock::CountTexels(plan.Uploads[0].Parts, 17), 17 * 17);
   EXPECT_EQ(plan.Uploads[1].Block, 3);
   EXPECT_EQ(plan.Uploads[1].Level, 1);
+  EXPECT_EQ(plan.Uploads[1].Parts, flatblock::WholeBrick);
 }
 
 TEST(FramePlan, CopesWithNoBlockAtAll)
 {
   Residency residency;
-  const FramePlan plan = residency.Plan(Row, Levels(5, NoLevel), MakeShape(1'000'000, 0), true);
+  const FramePlan plan =
+    residency.PlanStill(Row, Levels(5, NoLevel), MakeShape(1'000'000, 0), Continuity::Nested);
   EXPECT_TRUE(plan.NewAtlas); // so that there is a texture to bind
   EXPECT_GT(residency.GetAtlas().GetTexels(), 0);
   EXPECT_TRUE(plan.Uploads.empty());
 }
 
-TEST(FramePlan, HoldsUnderRandomLevels)
+namespace
+{
+constexpr std::int64_t StepTexels = 20'000;
+const BlockGrid Walked({ 100, 90, 80 }, 17);
+const auto WalkedBlocks = static_cast<std::size_t>(Walked.GetNumberOfBlocks());
+
+// Changes some levels of some blocks, as far as they fit.
+void Change(Levels& levels, const AtlasShape& shape, std::mt19937& random)
+{
+  for (int change = static_cast<int>(random() % 30); change > 0; --change)
+  {
+    Levels changed = levels;
+    changed[random() % WalkedBlocks] = static_cast<std::int8_t>(int(random() % 6) - 1);
+    const bool fits = shape.GetDepthOf(flatblock::CountBricks(changed, shape)) <= shape.GetDepth();
+    levels = fits ? changed : levels;
+  }
+}
+
+std::int64_t CountMovedTexels(const FramePlan& plan)
+{
+  std::int64_t texels = 0;
+  for (const auto& move : plan.Moves)
+  {
+    texels += std::int64_t(move.Size[0]) * move.Size[1] * move.Size[2];
+  }
+  return texels;
+}
+} // namespace
+
+TEST(FramePlan, StillsForgetTheirHistory)
 {
   std::mt19937 random(11);
-  const BlockGrid grid({ 100, 90, 80 }, 17);
-  const auto blocks = static_cast<std::size_t>(grid.GetNumberOfBlocks());
   const AtlasShape shape = MakeShape(250'000, 1000);
+  const std::vector<std::uint16_t> order(WalkedBlocks, 0);
   Residency residency;
   Atlas atlas;
-  Levels levels(blocks, 3);
-  int newAtlases = 0;
+  Levels levels(WalkedBlocks, 3);
+  std::size_t uploads = 0;
   for (int edit = 0; edit < 1000; ++edit)
   {
-    const bool continuity = edit % 7 != 0;
-    for (int change = static_cast<int>(random() % 30); change > 0; --change)
+    const Continuity continuity = edit % 7 != 0 ? Continuity::Nested : Continuity::Off;
+    Change(levels, shape, random);
+    if (edit % 3 != 0)
     {
-      Levels changed = levels;
-      changed[random() % blocks] = static_cast<std::int8_t>(int(random() % 6) - 1);
-      std::vector<std::int64_t> bricks(5, 0);
-      for (std::int8_t level : changed)
-      {
-        bricks[level == NoLevel ? 4 : level] += level == NoLevel ? 0 : 1;
-      }
-      levels = shape.GetDepthOf(bricks) <= shape.GetDepth() ? changed : levels;
+      atlas.Execute(
+        residency, residency.PlanStep(Walked, levels, order, shape, continuity, { 5, StepTexels }));
+      ASSERT_NO_FATAL_FAILURE(
+        atlas.ExpectHolds(Walked, residency, residency.GetLevels(), continuity));
+      continue;
     }
-    const FramePlan plan = residency.Plan(grid, levels, shape, continuity);
-    newAtlases += plan.NewAtlas ? 1 : 0;
+    const FramePlan plan = residency.PlanStill(Walked, levels, shape, continuity);
+    uploads += plan.Uploads.size();
     atlas.Execute(residency, plan);
-    ASSERT_NO_FATAL_FAILURE(atlas.ExpectHolds(grid, residency, levels, continuity));
+    ASSERT_NO_FATAL_FAILURE(atlas.ExpectHolds(Walked, residency, levels, continuity));
+    Residency fresh;
+    fresh.PlanStill(Walked, levels, shape, continuity);
+    ASSERT_EQ(fresh.GetPlaces(), residency.GetPlaces()) << edit;
+    ASSERT_EQ(fresh.GetAtlas().GetTextureSize(), residency.GetAtlas().GetTextureSize());
+    for (std::size_t block = 0; block < WalkedBlocks; ++block)
+    {
+      ASSERT_TRUE(
+        levels[block] == NoLevel || fresh.GetAtlas().GetOrigin(fresh.GetPlaces()[block]) ==
+                                      residency.GetAtlas().GetOrigin(residency.GetPlaces()[block]));
+    }
   }
-  EXPECT_EQ(newAtlases, 1);
-  EXPECT_GT(atlas.Moves, 100U);
+  EXPECT_GT(atlas.Moves, 1000U);
+}
+
+TEST(FramePlan, StepsKeepTheirBudgetAndArrive)
+{
+  std::mt19937 random(12);
+  const AtlasShape shape = MakeShape(150'000, 1000);
+  const std::vector<std::uint16_t> order(WalkedBlocks, 0);
+  Residency residency;
+  Atlas atlas;
+  Levels levels(WalkedBlocks, 3);
+  std::int64_t frames = 0;
+  std::int64_t large = 0;
+  for (int edit = 0; edit < 1500; ++edit)
+  {
+    Change(levels, shape, random);
+    for (int left = 500; residency.GetLevels() != levels; --left)
+    {
+      ASSERT_GT(left, 0) << "never arrives";
+      const FramePlan plan =
+        residency.PlanStep(Walked, levels, order, shape, Continuity::Nested, { 5, StepTexels });
+      ASSERT_FALSE(plan.IsEmpty());
+      std::int64_t texels = 0;
+      for (const BrickUpload& upload : plan.Uploads)
+      {
+        texels += flatblock::CountTexels(upload.Parts, Sides[upload.Level]);
+      }
+      ++frames;
+      large += std::max(texels, CountMovedTexels(plan)) > StepTexels ? 1 : 0;
+      atlas.Execute(residency, plan);
+      ASSERT_NO_FATAL_FAILURE(
+        atlas.ExpectHolds(Walked, residency, residency.GetLevels(), Continuity::Nested));
+    }
+  }
+  std::cout << frames << " frames, " << large << " of them beyond their budget, " << atlas.Moves
+            << " moves\n";
+  EXPECT_LE(large, frames / 50);
+  EXPECT_GT(atlas.Moves, 50U);
 }

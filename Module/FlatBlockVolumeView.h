@@ -1,0 +1,28 @@
+/// What is seen of a volume, and from where, in the terms of its samples.
+#pragma once
+
+#include "ViewRegion.h"
+
+#include <array>
+
+class vtkRenderer;
+class vtkVolume;
+class vtkVolumeMapper;
+
+namespace flatblock
+{
+struct VolumeInput;
+
+struct VolumeView
+{
+  std::array<double, 3> PointOfInterest = {}; ///< in samples
+  std::array<double, 3> Spacing = {};         ///< world units of a sample's spacing
+  ViewRegion Region;
+};
+
+/// From the renderer's camera, and the mapper's clipping planes and cropping.
+///
+/// @param pointOfInterest  world coordinates
+VolumeView GetVolumeView(vtkRenderer* renderer, vtkVolume* volume, vtkVolumeMapper* mapper,
+  const VolumeInput& input, const double pointOfInterest[3]);
+} // namespace flatblock

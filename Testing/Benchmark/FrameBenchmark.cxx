@@ -1,0 +1,258 @@
+// Levels of detail on the way to the graphics card, and what they show. Needs a display.
+#include "vtk_glew.h"
+
+#include "Rendering.h"
+#include "Volumes.h"
+
+#include "vtkImageAppend.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using namespace flatblock::testing;
+
+namespace
+{
+// n^3 samples of 16 bit, all of them visible.
+vtkSmartPointer<vtkImageData> MakeLarge(int n)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(n, n, n);
+  image->AllocateScalars(VTK_UNSIGNED_SHORT, 1);
+  auto* samples = static_cast<std::uint16_t*>(image->GetScalarPointer());
+#pragma omp parallel for
+  for (int z = 0; z < n; ++z)
+  {
+    std::uint16_t* slice = samples + std::int64_t(z) * n * n;
+    for (std::int64_t i = 0; i < std::int64_t(n) * n; ++i)
+    {
+      slice[i] = static_cast<std::uint16_t>(30000 + (i * 40503U + z * 9973U) % 5000);
+    }
+  }
+  return image;
+}
+
+void ShowLarge(Scene& scene, vtkImageData* image, vtkTypeInt64 limit)
+{
+  scene.SetRamp(20000.0, 40000.0, 0.01);
+  scene.SetVolume(image, 4.0);
+  scene.Mapper->SetMaxMemoryInBytes(limit);
+  scene.LookFrom(30.0, 20.0);
+}
+
+void PlainMinMax(benchmark::State& state)
+{
+  const auto image = MakeLarge(static_cast<int>(state.range(0)));
+  const auto* samples = static_cast<std::uint16_t*>(image->GetScalarPointer());
+  const vtkIdType count = image->GetNumberOfPoints();
+  for ([[maybe_unused]] auto _ : state)
+  {
+    std::uint16_t lowest = 65535;
+    std::uint16_t highest = 0;
+#pragma omp parallel for simd reduction(min : lowest) reduction(max : highest)
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      lowest = std::min(lowest, samples[i]);
+      highest = std::max(highest, samples[i]);
+    }
+    benchmark::DoNotOptimize(lowest);
+    benchmark::DoNotOptimize(highest);
+  }
+  state.SetBytesProcessed(state.iterations() * count * 2);
+}
+BENCHMARK(PlainMinMax)->Arg(1024)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+std::int64_t GetPeakResidentBytes()
+{
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  while (status >> word && word != "VmHWM:")
+  {
+  }
+  std::int64_t kilobytes = 0;
+  status >> kilobytes;
+  return kilobytes * 1024;
+}
+
+// From SetInputData to the first draw call, with levels for 128 MiB; and the most main memory that
+// this takes beside the volume and what a software OpenGL holds there, as a share of the volume.
+void FirstDraw(benchmark::State& state)
+{
+  const auto image = MakeLarge(static_cast<int>(state.range(0)));
+  const vtkTypeInt64 limit = vtkTypeInt64(128) << 20;
+  Scene scene;
+  scene.Volume->VisibilityOff();
+  scene.Window->Render();
+  scene.Volume->VisibilityOn();
+  const std::int64_t before = GetPeakResidentBytes();
+  for ([[maybe_unused]] auto _ : state)
+  {
+    image->Modified();
+    ShowLarge(scene, image, limit);
+    scene.Window->Render();
+    state.SetIterationTime(
+      1e-3 * (scene.Mapper->GetRangeMilliseconds() + scene.Mapper->GetSelectionMilliseconds() +
+               scene.Mapper->GetUploadMilliseconds()));
+    state.counters["ranges_ms"] = scene.Mapper->GetRangeMilliseconds();
+    state.counters["selection_ms"] = scene.Mapper->GetSelectionMilliseconds();
+    state.counters["upload_ms"] = scene.Mapper->GetUploadMilliseconds();
+  }
+  const std::int64_t extra = GetPeakResidentBytes() - before - scene.Mapper->GetPeakMemoryInBytes();
+  state.counters["extra_memory_percent"] =
+    100.0 * double(extra) / (2.0 * double(image->GetNumberOfPoints()));
+}
+BENCHMARK(FirstDraw)->Arg(1024)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+// As many bricks as FullRefinement sends, from one that lies ready, to a texture that is new too:
+// the first touch of its memory is part of both.
+void PlainTexSubImage(benchmark::State& state)
+{
+  constexpr int Side = 33;
+  constexpr int Along = 16;
+  const int bricks = Along * Along * Along;
+  Scene scene;
+  scene.Volume->VisibilityOff();
+  scene.Window->Render();
+  vtkOpenGLRenderWindow::SafeDownCast(scene.Window)->MakeCurrent();
+  const int side = Along * Side;
+  const std::vector<std::uint16_t> brick(Side * Side * Side, 7);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for ([[maybe_unused]] auto _ : state)
+  {
+    unsigned int texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_3D, texture);
+    glTexImage3D(GL_TEXTURE_3D, 0, GL_R16, side, side, side, 0, GL_RED, GL_UNSIGNED_SHORT, nullptr);
+    for (int i = 0; i < bricks; ++i)
+    {
+      glTexSubImage3D(GL_TEXTURE_3D, 0, i % Along * Side, i / Along % Along * Side,
+        i / (Along * Along) * Side, Side, Side, Side, GL_RED, GL_UNSIGNED_SHORT, brick.data());
+    }
+    glFinish();
+    glDeleteTextures(1, &texture);
+  }
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  state.SetBytesProcessed(state.iterations() * bricks * std::int64_t(brick.size()) * 2);
+}
+BENCHMARK(PlainTexSubImage)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+// All 4096 bricks of a 513^3 volume, 281 MiB.
+void FullRefinement(benchmark::State& state)
+{
+  const auto image = MakeLarge(513);
+  Scene scene;
+  ShowLarge(scene, image, vtkTypeInt64(400) << 20);
+  std::int64_t bytes = 0;
+  for ([[maybe_unused]] auto _ : state)
+  {
+    scene.Mapper->ReleaseGraphicsResources(scene.Window);
+    scene.Window->Render();
+    state.SetIterationTime(1e-3 * scene.Mapper->GetUploadMilliseconds());
+    bytes += scene.Mapper->GetUploadedBytes();
+  }
+  state.SetBytesProcessed(bytes);
+}
+BENCHMARK(FullRefinement)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+// A point of interest that wanders by a block: everything from the order to the index texture.
+void PointOfInterestMoves(benchmark::State& state)
+{
+  const auto image = MakeLarge(513);
+  Scene scene;
+  ShowLarge(scene, image, vtkTypeInt64(64) << 20);
+  scene.Mapper->UseCameraAsPointOfInterestOff();
+  scene.Mapper->SetPointOfInterest(-100.0, 250.0, 250.0);
+  scene.Window->Render();
+  scene.Window->SetDesiredUpdateRate(15.0);
+  double x = -100.0;
+  for ([[maybe_unused]] auto _ : state)
+  {
+    x = x > 500.0 ? -100.0 : x + 32.0;
+    scene.Mapper->SetPointOfInterest(x, 250.0, 250.0);
+    scene.Window->Render();
+    state.SetIterationTime(
+      1e-3 * (scene.Mapper->GetSelectionMilliseconds() + scene.Mapper->GetUploadMilliseconds()));
+    state.counters["uploaded_MiB"] = double(scene.Mapper->GetUploadedBytes()) / (1 << 20);
+  }
+}
+BENCHMARK(PointOfInterestMoves)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+// The picture at a part of the memory that all bricks take, against the full one. The pictures go
+// to levels.png, side by side: full, 1/2, 1/8, 1/32, 1/128.
+class PictureStrip
+{
+public:
+  PictureStrip()
+  {
+    const auto mri = ReadMRI();
+    this->Shown.SetVolume(mri ? *mri : MarschnerLobb(257), mri ? 0.5 : 1.0 / 256.0);
+    if (mri)
+    {
+      this->Shown.SetRamp(40.0, 160.0, 0.3);
+    }
+    else
+    {
+      ShowShell(this->Shown, 1);
+      this->Shown.SetVolume(MarschnerLobb(257), 1.0 / 256.0);
+    }
+    this->Shown.Mapper->SetBlockSize(17);
+    this->Shown.LookFrom(30.0, 20.0, 1.4);
+    this->Shown.Mapper->SetMaxMemoryInBytes(vtkTypeInt64(1) << 30);
+    this->Full = this->Shown.Draw();
+    this->Bricks = this->Shown.Mapper->GetUsedAtlasBytes();
+    this->Beside = this->Shown.Mapper->GetMemoryInBytes() - this->Shown.Mapper->GetAtlasBytes();
+    this->Strip->SetInputData(this->Full);
+  }
+
+  double Draw(int part)
+  {
+    this->Shown.Mapper->SetMaxMemoryInBytes(this->Beside + this->Bricks / part);
+    const auto picture = this->Shown.Draw();
+    this->Strip->AddInputData(picture);
+    return PSNR(picture, this->Full);
+  }
+
+  void Write()
+  {
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputConnection(this->Strip->GetOutputPort());
+    writer->SetFileName("levels.png");
+    writer->Write();
+  }
+
+private:
+  Scene Shown;
+  vtkSmartPointer<vtkImageData> Full;
+  vtkNew<vtkImageAppend> Strip;
+  vtkTypeInt64 Bricks = 0;
+  vtkTypeInt64 Beside = 0;
+};
+
+void PictureAtPartOfMemory(benchmark::State& state)
+{
+  static PictureStrip strip;
+  double psnr = 0.0;
+  for ([[maybe_unused]] auto _ : state)
+  {
+    psnr = strip.Draw(static_cast<int>(state.range(0)));
+  }
+  state.counters["PSNR_dB"] = psnr;
+  strip.Write();
+}
+BENCHMARK(PictureAtPartOfMemory)
+  ->Arg(2)
+  ->Arg(8)
+  ->Arg(32)
+  ->Arg(128)
+  ->Iterations(1)
+  ->Unit(benchmark::kMillisecond);
+} // namespace
