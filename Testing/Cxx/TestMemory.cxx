@@ -216,8 +216,8 @@ TEST(Memory, CardsWithTooLittleShowTheLastGoodState)
     const auto isOurs = [](const std::string& error)
     { return error.find("no memory for an atlas") != std::string::npos; };
     EXPECT_EQ(std::count_if(messages.Errors.begin(), messages.Errors.end(), isOurs), 1);
-    // VTK adds its own where the driver fails.
-    EXPECT_EQ(messages.Errors.size(), knowsBefore ? 1U : 2U);
+    // Where the driver fails VTK may add its own.
+    EXPECT_LE(messages.Errors.size(), knowsBefore ? 1U : 2U);
     EXPECT_LE(scene.Mapper->GetAtlasBytes(), atlas);
     EXPECT_GE(scene.Mapper->GetAtlasBytes(), atlas * 8 / 10);
     EXPECT_TRUE(scene.Mapper->GetConverged());
