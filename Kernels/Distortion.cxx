@@ -1,0 +1,373 @@
+#include "Distortion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <type_traits>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace flatblock
+{
+namespace
+{
+// Positions in the table are exact integers for these types.
+template <typename T>
+constexpr bool HasIntegerPositions = std::is_integral_v<T> && sizeof(T) <= 2;
+
+// A level of one block: its samples, interpolated plane by plane and row by row. Values are scaled
+// by the stride for each axis along which they are interpolated, so that integers stay exact.
+template <typename Number>
+class LevelInterpolator
+{
+public:
+  LevelInterpolator(int level, int cells)
+    : Level(level), Stride(1 << level), Side((cells >> level) + 1),
+      Lattice(std::size_t(Side) * Side * Side), Plane(std::size_t(Side) * Side), Row(Side)
+  {
+  }
+
+  int GetStride() const { return this->Stride; }
+  int GetSide() const { return this->Side; }
+  Number* GetLattice() { return this->Lattice.data(); }
+  int GetShift() const { return 3 * this->Level; }
+
+  void SetPlane(int z)
+  {
+    const int plane = this->Side * this->Side;
+    const int k = std::min(z >> this->Level, this->Side - 2);
+    const Number* below = this->Lattice.data() + std::ptrdiff_t(k) * plane;
+    const auto far = static_cast<Number>(z - (k << this->Level));
+    Mix(below, below + plane, far, plane, this->Plane.data());
+  }
+
+  void SetRow(int y)
+  {
+    const int j = std::min(y >> this->Level, this->Side - 2);
+    const Number* below = this->Plane.data() + std::ptrdiff_t(j) * this->Side;
+    const auto far = static_cast<Number>(y - (j << this->Level));
+    Mix(below, below + this->Side, far, this->Side, this->Row.data());
+  }
+
+  // Values at the samples of the row, scaled by the stride's cube.
+  void GetRow(int samples, Number* values) const
+  {
+    for (int i = 0; i < this->Side - 1; ++i)
+    {
+      const Number step = this->Row[i + 1] - this->Row[i];
+      const Number first = this->Row[i] * static_cast<Number>(this->Stride);
+      const int begin = i * this->Stride;
+      const int count = std::min(this->Stride, samples - begin);
+      for (int k = 0; k < count; ++k)
+      {
+        values[begin + k] = first + static_cast<Number>(k) * step;
+      }
+    }
+    const int last = (this->Side - 1) * this->Stride;
+    if (last < samples)
+    {
+      values[last] = this->Row[this->Side - 1] * static_cast<Number>(this->Stride);
+    }
+  }
+
+private:
+  void Mix(const Number* a, const Number* b, Number far, int count, Number* out) const
+  {
+    const Number near = static_cast<Number>(this->Stride) - far;
+    for (int i = 0; i < count; ++i)
+    {
+      out[i] = a[i] * near + b[i] * far;
+    }
+  }
+
+  int Level;
+  int Stride;
+  int Side;
+  std::vector<Number> Lattice;
+  std::vector<Number> Plane;
+  std::vector<Number> Row;
+};
+
+// The positions of a row in the table, and what they add to the sums.
+struct RowPositions
+{
+  explicit RowPositions(int samples) : Nearest(samples), Next(samples), Share(samples) {}
+
+  void Set(int i, const TablePosition& position)
+  {
+    this->Nearest[i] = position.Nearest;
+    this->Next[i] = position.Next;
+    this->Share[i] = position.Share;
+  }
+
+  std::vector<std::int32_t> Nearest;
+  std::vector<std::int32_t> Next;
+  std::vector<float> Share;
+};
+
+// Floats are exact enough for so many terms; then they go into a double.
+constexpr int TermsPerSum = 16;
+
+template <typename T>
+class BlockDistortion
+{
+public:
+  BlockDistortion(
+    const T* samples, const BlockedVolume& volume, int levels, const ClassifiedTable& table)
+    : Samples(samples), Volume(volume), Table(table), Fine(volume.Cells + 1),
+      Coarse(volume.Cells + 1), FinePositions(volume.Cells + 1), Values(volume.Cells + 1),
+      RealValues(volume.Cells + 1), IsFinite(volume.Cells + 1, 1)
+  {
+    if constexpr (HasIntegerPositions<T>)
+    {
+      this->Lowest = static_cast<std::int32_t>(table.GetLowest());
+    }
+    // An entry after the last position, which has no share there.
+    this->Colors = table.GetColors();
+    this->Colors.push_back(this->Colors.back());
+    for (int level = 1; level <= levels; ++level)
+    {
+      const bool isExact = HasIntegerPositions<T> && 3 * level <= MostShift;
+      this->Exact.push_back(
+        isExact ? std::make_unique<LevelInterpolator<std::int32_t>>(level, volume.Cells) : nullptr);
+      this->Real.push_back(
+        isExact ? nullptr : std::make_unique<LevelInterpolator<double>>(level, volume.Cells));
+    }
+  }
+
+  // Samples that are not finite.
+  std::int64_t Compute(std::int64_t block, float* distortion)
+  {
+    const auto levels = this->Exact.size();
+    this->FindBox(block);
+    for (std::size_t l = 0; l < levels; ++l)
+    {
+      this->Exact[l] ? this->ReadLattice(*this->Exact[l]) : this->ReadLattice(*this->Real[l]);
+    }
+    this->Sums.assign(levels, 0.0);
+    std::int64_t finite = 0;
+    for (int z = 0; z < this->Count[2]; ++z)
+    {
+      for (std::size_t l = 0; l < levels; ++l)
+      {
+        this->Exact[l] ? this->Exact[l]->SetPlane(z) : this->Real[l]->SetPlane(z);
+      }
+      for (int y = 0; y < this->Count[1]; ++y)
+      {
+        finite += this->ReadFineRow(y, z);
+        for (std::size_t l = 0; l < levels; ++l)
+        {
+          this->Sums[l] +=
+            this->Exact[l] ? this->AddRow(*this->Exact[l], y) : this->AddRow(*this->Real[l], y);
+        }
+      }
+    }
+    for (std::size_t l = 0; l < levels; ++l)
+    {
+      const double mean = finite > 0 ? this->Sums[l] / static_cast<double>(finite) : 0.0;
+      distortion[l] = static_cast<float>(std::sqrt(mean));
+    }
+    return std::int64_t(this->Count[0]) * this->Count[1] * this->Count[2] - finite;
+  }
+
+private:
+  static constexpr int MostShift = 13; // 16 bit and this fit a std::int32_t
+
+  void FindBox(std::int64_t block)
+  {
+    const auto& blocks = this->Volume.Blocks;
+    const std::int64_t row = block / blocks[0];
+    const int position[3] = { static_cast<int>(block % blocks[0]),
+      static_cast<int>(row % blocks[1]), static_cast<int>(row / blocks[1]) };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->First[axis] = position[axis] * this->Volume.Cells;
+      this->Count[axis] =
+        std::min(this->Volume.Cells + 1, this->Volume.Samples[axis] - this->First[axis]);
+    }
+  }
+
+  // Row y, z of the block, or the last one of the volume.
+  const T* GetRow(int y, int z) const
+  {
+    const auto& dims = this->Volume.Samples;
+    const std::ptrdiff_t j = std::min(this->First[1] + y, dims[1] - 1);
+    const std::ptrdiff_t k = std::min(this->First[2] + z, dims[2] - 1);
+    return this->Samples + (k * dims[1] + j) * dims[0] + this->First[0];
+  }
+
+  std::int32_t ToPosition(T value, std::int32_t) const
+  {
+    return static_cast<std::int32_t>(value) - this->Lowest;
+  }
+
+  // NaN and infinities as they are drawn.
+  double ToPosition(T value, double) const
+  {
+    return this->Table.GetPosition(static_cast<double>(value));
+  }
+
+  template <typename Number>
+  void ReadLattice(LevelInterpolator<Number>& level)
+  {
+    Number* out = level.GetLattice();
+    const int last = this->Count[0] - 1;
+    for (int k = 0; k < level.GetSide(); ++k)
+    {
+      for (int j = 0; j < level.GetSide(); ++j)
+      {
+        const T* row = this->GetRow(j * level.GetStride(), k * level.GetStride());
+        for (int i = 0; i < level.GetSide(); ++i)
+        {
+          *out++ = this->ToPosition(row[std::min(i * level.GetStride(), last)], Number());
+        }
+      }
+    }
+  }
+
+  std::int64_t ReadFineRow(int y, int z)
+  {
+    const T* row = this->GetRow(y, z);
+    std::int64_t finite = this->Count[0];
+    for (int x = 0; x < this->Count[0]; ++x)
+    {
+      if constexpr (HasIntegerPositions<T>)
+      {
+        this->Fine[x] = this->ToPosition(row[x], std::int32_t());
+      }
+      else
+      {
+        this->FinePositions.Set(x, ToTablePosition(this->ToPosition(row[x], 0.0)));
+        if constexpr (std::is_floating_point_v<T>)
+        {
+          this->IsFinite[x] = std::isfinite(row[x]) ? 1 : 0;
+          finite -= 1 - this->IsFinite[x];
+        }
+      }
+    }
+    return finite;
+  }
+
+  double AddRow(LevelInterpolator<std::int32_t>& level, int y)
+  {
+    const int count = this->Count[0];
+    level.SetRow(y);
+    level.GetRow(count, this->Values.data());
+    const int shift = level.GetShift();
+    for (int x = 0; x < count; ++x)
+    {
+      this->Coarse.Set(x, ToTablePosition(this->Values[x], shift));
+    }
+    return this->AddRow();
+  }
+
+  double AddRow(LevelInterpolator<double>& level, int y)
+  {
+    const int count = this->Count[0];
+    level.SetRow(y);
+    level.GetRow(count, this->RealValues.data());
+    const double unit = std::ldexp(1.0, -level.GetShift());
+    for (int x = 0; x < count; ++x)
+    {
+      this->Coarse.Set(x, ToTablePosition(this->RealValues[x] * unit));
+    }
+    return this->AddRow();
+  }
+
+  double AddRow() const
+  {
+    double sum = 0.0;
+    for (int begin = 0; begin < this->Count[0]; begin += TermsPerSum)
+    {
+      const int end = std::min(begin + TermsPerSum, this->Count[0]);
+      ClassifiedColor squares = {};
+      for (int x = begin; x < end; ++x)
+      {
+        squares = squares + this->GetSquare(x);
+      }
+      sum += (double(squares[0]) + squares[1]) + (double(squares[2]) + squares[3]);
+    }
+    return sum;
+  }
+
+  ClassifiedColor GetSquare(int x) const
+  {
+    const ClassifiedColor* colors = this->Colors.data();
+    const RowPositions& coarse = this->Coarse;
+    if constexpr (HasIntegerPositions<T>)
+    {
+      return GetSquaredDifference(
+        colors[this->Fine[x]], colors[coarse.Nearest[x]], colors[coarse.Next[x]], coarse.Share[x]);
+    }
+    else
+    {
+      const RowPositions& fine = this->FinePositions;
+      return this->IsFinite[x]
+               ? GetSquaredDifference(colors, { fine.Nearest[x], fine.Next[x], fine.Share[x] },
+                   { coarse.Nearest[x], coarse.Next[x], coarse.Share[x] })
+               : ClassifiedColor{};
+    }
+  }
+
+  const T* Samples;
+  const BlockedVolume& Volume;
+  const ClassifiedTable& Table;
+  std::vector<ClassifiedColor> Colors;
+  std::int32_t Lowest = 0;
+  std::vector<std::unique_ptr<LevelInterpolator<std::int32_t>>> Exact;
+  std::vector<std::unique_ptr<LevelInterpolator<double>>> Real;
+  std::vector<std::int32_t> Fine;
+  RowPositions Coarse;
+  RowPositions FinePositions;
+  std::vector<std::int32_t> Values;
+  std::vector<double> RealValues;
+  std::vector<std::uint8_t> IsFinite;
+  std::vector<double> Sums;
+  std::array<int, 3> First = {};
+  std::array<int, 3> Count = {};
+};
+} // namespace
+
+template <typename T>
+std::int64_t ComputeDistortion(const T* samples, const BlockedVolume& volume,
+  const std::vector<std::int64_t>& blocks, int levels, const ClassifiedTable& table,
+  [[maybe_unused]] int threads, float* distortion)
+{
+  const auto count = static_cast<std::int64_t>(blocks.size());
+  std::int64_t left = 0;
+#ifdef _OPENMP
+  const int team = threads > 0 ? threads : omp_get_max_threads();
+#pragma omp parallel num_threads(team) reduction(+ : left)
+#endif
+  {
+    BlockDistortion<T> kernel(samples, volume, levels, table);
+#pragma omp for schedule(dynamic, 16)
+    for (std::int64_t i = 0; i < count; ++i)
+    {
+      left += kernel.Compute(blocks[i], distortion + i * levels);
+    }
+  }
+  return left;
+}
+
+#define FLATBLOCK_INSTANTIATE(T)                                                                   \
+  template std::int64_t ComputeDistortion(const T*, const BlockedVolume&,                          \
+    const std::vector<std::int64_t>&, int, const ClassifiedTable&, int, float*)
+FLATBLOCK_INSTANTIATE(char);
+FLATBLOCK_INSTANTIATE(signed char);
+FLATBLOCK_INSTANTIATE(unsigned char);
+FLATBLOCK_INSTANTIATE(short);
+FLATBLOCK_INSTANTIATE(unsigned short);
+FLATBLOCK_INSTANTIATE(int);
+FLATBLOCK_INSTANTIATE(unsigned int);
+FLATBLOCK_INSTANTIATE(long);
+FLATBLOCK_INSTANTIATE(unsigned long);
+FLATBLOCK_INSTANTIATE(long long);
+FLATBLOCK_INSTANTIATE(unsigned long long);
+FLATBLOCK_INSTANTIATE(float);
+FLATBLOCK_INSTANTIATE(double);
+} // namespace flatblock

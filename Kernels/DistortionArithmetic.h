@@ -1,0 +1,94 @@
+/// What the distortion of one sample is: for CPUs and for CUDA.
+#pragma once
+
+#include <cstdint>
+
+#ifdef __CUDACC__
+#define FLATBLOCK_HOST_DEVICE __host__ __device__
+#else
+#define FLATBLOCK_HOST_DEVICE
+#endif
+
+namespace flatblock
+{
+/// One entry of the classified table: L*, u*, v* of the colour, and opacity in L*'s range.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+using ClassifiedColor = float __attribute__((vector_size(16))); // one register
+#else
+struct alignas(16) ClassifiedColor
+{
+  float Components[4];
+
+  FLATBLOCK_HOST_DEVICE float operator[](int i) const { return this->Components[i]; }
+  FLATBLOCK_HOST_DEVICE float& operator[](int i) { return this->Components[i]; }
+};
+
+FLATBLOCK_HOST_DEVICE inline ClassifiedColor operator+(
+  const ClassifiedColor& a, const ClassifiedColor& b)
+{
+  return { { a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3] } };
+}
+FLATBLOCK_HOST_DEVICE inline ClassifiedColor operator-(
+  const ClassifiedColor& a, const ClassifiedColor& b)
+{
+  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3] } };
+}
+FLATBLOCK_HOST_DEVICE inline ClassifiedColor operator*(
+  const ClassifiedColor& a, const ClassifiedColor& b)
+{
+  return { { a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3] } };
+}
+FLATBLOCK_HOST_DEVICE inline ClassifiedColor operator*(float a, const ClassifiedColor& b)
+{
+  return { { a * b[0], a * b[1], a * b[2], a * b[3] } };
+}
+#endif
+
+/// A position between two entries of the table. Counted from the nearest one, so that colours that
+/// are nearly equal are subtracted without cancellation.
+struct TablePosition
+{
+  std::int32_t Nearest;
+  std::int32_t Next; ///< the entry on the other side of the position
+  float Share;       ///< of Next, in [0, 1/2]
+};
+
+/// The position numerator / 2^shift, exactly. The table has an entry after the last position.
+FLATBLOCK_HOST_DEVICE inline TablePosition ToTablePosition(std::int32_t numerator, int shift)
+{
+  const std::int32_t half = shift > 0 ? std::int32_t(1) << (shift - 1) : 0;
+  const std::int32_t nearest = (numerator + half) >> shift;
+  const std::int32_t apart = numerator - (nearest << shift);
+  const std::int32_t away = apart < 0 ? -apart : apart;
+  const float unit = 1.0F / static_cast<float>(std::int32_t(1) << shift);
+  return { nearest, nearest + (apart < 0 ? -1 : 1), static_cast<float>(away) * unit };
+}
+
+/// A real position, at least 0.
+FLATBLOCK_HOST_DEVICE inline TablePosition ToTablePosition(double position)
+{
+  const auto nearest = static_cast<std::int32_t>(position + 0.5);
+  const double apart = position - nearest;
+  return { nearest, nearest + (apart < 0.0 ? -1 : 1),
+    static_cast<float>(apart < 0.0 ? -apart : apart) };
+}
+
+/// The square of the difference of an entry and an interpolated colour, component by component.
+FLATBLOCK_HOST_DEVICE inline ClassifiedColor GetSquaredDifference(const ClassifiedColor& color,
+  const ClassifiedColor& nearest, const ClassifiedColor& next, float share)
+{
+  const ClassifiedColor apart = (color - nearest) - share * (next - nearest);
+  return apart * apart;
+}
+
+/// The same where both lie between two entries.
+FLATBLOCK_HOST_DEVICE inline ClassifiedColor GetSquaredDifference(
+  const ClassifiedColor* table, const TablePosition& fine, const TablePosition& coarse)
+{
+  const ClassifiedColor& a = table[fine.Nearest];
+  const ClassifiedColor& b = table[coarse.Nearest];
+  const ClassifiedColor apart =
+    (a - b) + (fine.Share * (table[fine.Next] - a) - coarse.Share * (table[coarse.Next] - b));
+  return apart * apart;
+}
+} // namespace flatblock
