@@ -88,8 +88,8 @@ std::optional<int> FindCoarsest(const AtlasShape& shape, std::int64_t blocks, in
 class BlockQueue
 {
 public:
-  BlockQueue(const RefinementOrder& order, const std::vector<std::int32_t>& counts)
-    : Order(order), Counts(counts), First(counts.size(), -1)
+  BlockQueue(const std::vector<std::uint16_t>& numbers, const std::vector<std::int32_t>& counts)
+    : Numbers(numbers), Counts(counts), First(counts.size(), -1)
   {
   }
 
@@ -104,6 +104,7 @@ public:
   }
 
   int GetCount(int number) const { return this->Counts[number]; }
+  int GetNumber(std::int64_t block) const { return this->Numbers[block]; }
 
 private:
   // Reads on from this number, each time more.
@@ -120,8 +121,8 @@ private:
     }
     this->Blocks.resize(static_cast<std::size_t>(end));
     std::vector<std::int32_t> next(this->First.begin() + number, this->First.begin() + last);
-    const std::uint16_t* numbers = this->Order.GetBlocks().data();
-    const auto blocks = static_cast<std::int64_t>(this->Order.GetBlocks().size());
+    const std::uint16_t* numbers = this->Numbers.data();
+    const auto blocks = static_cast<std::int64_t>(this->Numbers.size());
     const auto range = static_cast<unsigned int>(last - number);
     for (std::int64_t block = 0; block < blocks; ++block)
     {
@@ -133,7 +134,7 @@ private:
     }
   }
 
-  const RefinementOrder& Order;
+  const std::vector<std::uint16_t>& Numbers;
   const std::vector<std::int32_t>& Counts;
   std::vector<std::int32_t> First; // in Blocks, -1: not read yet
   std::vector<std::int64_t> Blocks;
@@ -144,27 +145,30 @@ struct Front
 {
   int Number = 0;
   int Index = 0; // among the blocks of that number
-
-  bool operator<(const Front& other) const
-  {
-    return this->Number != other.Number ? this->Number < other.Number : this->Index < other.Index;
-  }
 };
 
 class Greedy
 {
 public:
   Greedy(const RefinementOrder& order, const AtlasShape& shape, int coarsest, std::int64_t blocks,
-    const std::vector<std::int32_t>& counts)
-    : Order(order), Coarsest(coarsest), Taken(shape, coarsest, blocks), Queue(order, counts)
+    const std::vector<std::vector<std::int32_t>>& counts)
+    : Order(order), Coarsest(coarsest), Taken(shape, coarsest, blocks)
   {
+    for (int sequence = 0; sequence < order.GetNumberOfSequences(); ++sequence)
+    {
+      this->Queues.emplace_back(order.GetNumbers(sequence), counts[sequence]);
+    }
   }
 
   // Up to the last time before which everything fits for sure.
-  void RefineAtOnce(const std::vector<std::int32_t>& counts)
+  void RefineAtOnce(const std::vector<std::vector<std::int32_t>>& counts)
   {
-    std::vector<std::int32_t> before(counts.size(), 0);
-    std::partial_sum(counts.begin(), counts.end() - 1, before.begin() + 1);
+    Sums before;
+    for (const auto& sequence : counts)
+    {
+      before.emplace_back(sequence.size(), 0);
+      std::partial_sum(sequence.begin(), sequence.end() - 1, before.back().begin() + 1);
+    }
     int time = this->FindLast(0,
       [&](int t)
       {
@@ -185,7 +189,7 @@ public:
           for (int level = this->Coarsest; level > 0; --level)
           {
             most.Add(level - 1,
-              before[this->GetFirstNumber(t, level)] - before[this->GetFirstNumber(time, level)]);
+              this->CountBefore(t, level, before) - this->CountBefore(time, level, before));
           }
           return most.Fits();
         });
@@ -218,29 +222,32 @@ public:
 
   void Write(std::vector<std::int8_t>& levels)
   {
-    const std::vector<std::uint16_t>& numbers = this->Order.GetBlocks();
-    std::vector<std::int8_t> levelOf(
-      std::size_t(RefinementOrder::Never) + 1, static_cast<std::int8_t>(this->Coarsest));
+    levels.resize(this->Order.GetNumbers(0).size());
+    const auto coarsest = static_cast<std::int8_t>(this->Coarsest);
+    std::transform(this->Order.GetNumbers(0).begin(), this->Order.GetNumbers(0).end(),
+      levels.begin(),
+      [coarsest](std::uint16_t number)
+      { return number == RefinementOrder::Never ? NoLevel : coarsest; });
     for (int level = this->Coarsest; level > 0; --level)
     {
-      std::fill_n(levelOf.begin(), this->Fronts[level].Number, static_cast<std::int8_t>(level - 1));
-    }
-    levelOf[RefinementOrder::Never] = NoLevel;
-    levels.resize(numbers.size());
-    std::transform(numbers.begin(), numbers.end(), levels.begin(),
-      [&levelOf](std::uint16_t number) { return levelOf[number]; });
-    for (int level = 1; level <= this->Coarsest; ++level)
-    {
-      const int number = this->Fronts[level].Number;
-      for (int i = 0; this->Fronts[level].Index > 0 && i < this->Queue.GetCount(number); ++i)
+      const std::uint16_t* number = this->Order.GetNumbers(this->Order.GetSequence(level)).data();
+      const int first = this->Fronts[level].Number;
+      for (std::int8_t& written : levels)
       {
-        levels[this->Queue.GetBlocks(number)[i]] = this->GetLevel({ number, i });
+        written = static_cast<std::int8_t>(written - (*number++ < first ? 1 : 0));
+      }
+      for (int i = 0; i < this->Fronts[level].Index; ++i)
+      {
+        --levels[this->GetQueue(level).GetBlocks(first)[i]];
       }
     }
   }
 
 private:
   static constexpr int MostLevels = 8;
+  using Sums = std::vector<std::vector<std::int32_t>>; // by sequence and number
+
+  BlockQueue& GetQueue(int level) { return this->Queues[this->Order.GetSequence(level)]; }
 
   // Of the blocks that are not refined from this level before that time.
   int GetFirstNumber(int time, int level) const
@@ -249,12 +256,17 @@ private:
       this->Order.GetNumber(time - this->Order.GetDelay(level)), RefinementOrder::Never);
   }
 
+  std::int64_t CountBefore(int time, int level, const Sums& before) const
+  {
+    return before[this->Order.GetSequence(level)][this->GetFirstNumber(time, level)];
+  }
+
   // All refinements before this time.
-  void RefineUntil(int time, const std::vector<std::int32_t>& before, Occupancy& taken) const
+  void RefineUntil(int time, const Sums& before, Occupancy& taken) const
   {
     for (int level = this->Coarsest; level > 0; --level)
     {
-      taken.Refine(level, before[this->GetFirstNumber(time, level)]);
+      taken.Refine(level, this->CountBefore(time, level, before));
     }
   }
 
@@ -285,7 +297,7 @@ private:
       }
       const Front& front = this->Fronts[level];
       const int time = this->Order.GetTime(front.Number) + this->Order.GetDelay(level);
-      const std::int64_t block = this->Queue.GetBlocks(front.Number)[front.Index];
+      const std::int64_t block = this->GetQueue(level).GetBlocks(front.Number)[front.Index];
       if (time < earliest || (time == earliest && block < first))
       {
         next = level;
@@ -296,47 +308,53 @@ private:
     return next;
   }
 
-  // Whether any block has this level; if so the front stands at the first of them.
+  // Whether the block at the front is there; the front moves on to it.
   bool HasBlock(int level)
   {
     Front& front = this->Fronts[level];
-    while (
-      front.Number < RefinementOrder::Never && front.Index >= this->Queue.GetCount(front.Number))
+    while (front.Number < RefinementOrder::Never &&
+           front.Index >= this->GetQueue(level).GetCount(front.Number))
     {
       front = { front.Number + 1, 0 };
     }
     return front.Number < RefinementOrder::Never &&
-           (level == this->Coarsest || front < this->Fronts[level + 1]);
+           (level == this->Coarsest ||
+             this->IsRefined(
+               this->GetQueue(level).GetBlocks(front.Number)[front.Index], level + 1));
   }
 
-  std::int8_t GetLevel(const Front& block) const
+  // Whether the block has been refined from this level.
+  bool IsRefined(std::int64_t block, int level)
   {
-    int level = this->Coarsest;
-    while (level > 0 && block < this->Fronts[level])
-    {
-      --level;
-    }
-    return static_cast<std::int8_t>(level);
+    const Front& front = this->Fronts[level];
+    const int number = this->GetQueue(level).GetNumber(block);
+    return number < front.Number ||
+           (number == front.Number && front.Index > 0 &&
+             block <= this->GetQueue(level).GetBlocks(number)[front.Index - 1]);
   }
 
   const RefinementOrder& Order;
   int Coarsest;
   Occupancy Taken;
   Occupancy Start = Taken;
-  BlockQueue Queue;
+  std::vector<BlockQueue> Queues; // by sequence
   std::array<Front, MostLevels> Fronts = {};
 };
 } // namespace
 
 bool LodSelector::Select(const RefinementOrder& order, const AtlasShape& shape, int numberOfLevels)
 {
-  this->Counts.assign(std::size_t(RefinementOrder::Never) + 1, 0);
-  for (const std::uint16_t number : order.GetBlocks())
+  this->Counts.resize(order.GetNumberOfSequences());
+  for (int sequence = 0; sequence < order.GetNumberOfSequences(); ++sequence)
   {
-    ++this->Counts[number];
+    this->Counts[sequence].assign(std::size_t(RefinementOrder::Never) + 1, 0);
+    for (const std::uint16_t number : order.GetNumbers(sequence))
+    {
+      ++this->Counts[sequence][number];
+    }
   }
   const auto blocks =
-    static_cast<std::int64_t>(order.GetBlocks().size()) - this->Counts[RefinementOrder::Never];
+    static_cast<std::int64_t>(order.GetNumbers(0).size()) - this->Counts[0][RefinementOrder::Never];
   const std::optional<int> coarsest = FindCoarsest(shape, blocks, numberOfLevels);
   if (!coarsest)
   {

@@ -15,8 +15,8 @@ constexpr std::int8_t NoLevel = -1;
 
 /// Begins with every visible block at the coarsest level, and refines in the given order, one block
 /// by one level at a time, until nothing more fits. The first block of a level that does not fit
-/// keeps the others of that level waiting until a change makes room for it: so a block never passes
-/// another one of its level that comes before it. Where all blocks fit at level 0 they have it.
+/// keeps the others waiting that come after it at that level, until a change makes room for it; so
+/// does one that has not yet got to that level. Where all blocks fit at level 0 they have it.
 class LodSelector
 {
 public:
@@ -35,6 +35,6 @@ public:
 
 private:
   std::vector<std::int8_t> Levels;
-  std::vector<std::int32_t> Counts; ///< blocks that have each number in the order
+  std::vector<std::vector<std::int32_t>> Counts; ///< by sequence: blocks that have each number
 };
 } // namespace flatblock

@@ -57,51 +57,54 @@ std::int64_t GetDepth(const AtlasShape& shape, const Levels& levels)
 // The rule of LodSelector, by looking at every block for each refinement.
 Levels SelectSlowly(const RefinementOrder& order, const AtlasShape& shape, int coarsest)
 {
-  const auto& numbers = order.GetBlocks();
-  Levels levels(numbers.size(), NoLevel);
-  for (std::size_t block = 0; block < numbers.size(); ++block)
+  const std::size_t blocks = order.GetNumbers(0).size();
+  const auto timeOf = [&order](std::size_t block, int level)
   {
-    levels[block] =
-      numbers[block] == RefinementOrder::Never ? NoLevel : static_cast<std::int8_t>(coarsest);
+    return order.GetTime(order.GetNumbers(order.GetSequence(level))[block]) + order.GetDelay(level);
+  };
+  Levels levels(blocks, NoLevel);
+  for (std::size_t block = 0; block < blocks; ++block)
+  {
+    const bool isVisible = order.GetNumbers(0)[block] != RefinementOrder::Never;
+    levels[block] = isVisible ? static_cast<std::int8_t>(coarsest) : NoLevel;
   }
   std::vector<bool> waits(coarsest + 1, false);
   while (true)
   {
-    std::vector<std::size_t> first(coarsest + 1, levels.size()); // of each level
-    const auto timeOf = [&](std::size_t block)
-    { return order.GetTime(numbers[block]) + order.GetDelay(levels[block]); };
-    for (std::size_t block = 0; block < levels.size(); ++block)
-    {
-      const int level = levels[block];
-      if (level > 0 && (first[level] == levels.size() || timeOf(block) < timeOf(first[level])))
-      {
-        first[level] = block;
-      }
-    }
-    std::size_t next = levels.size();
+    std::size_t next = blocks;
+    int nextLevel = 0;
     for (int level = 1; level <= coarsest; ++level)
     {
-      const std::size_t block = first[level];
-      if (block < levels.size() && !waits[level] &&
-          (next == levels.size() || timeOf(block) < timeOf(next) ||
-            (timeOf(block) == timeOf(next) && block < next)))
+      std::size_t first = blocks; // that was not refined from this level
+      for (std::size_t block = 0; block < blocks; ++block)
       {
-        next = block;
+        if (levels[block] >= level &&
+            (first == blocks || timeOf(block, level) < timeOf(first, level)))
+        {
+          first = block;
+        }
+      }
+      const bool isThere = first < blocks && levels[first] == level && !waits[level];
+      if (isThere && (next == blocks || timeOf(first, level) < timeOf(next, nextLevel) ||
+                       (timeOf(first, level) == timeOf(next, nextLevel) && first < next)))
+      {
+        next = first;
+        nextLevel = level;
       }
     }
-    if (next == levels.size())
+    if (next == blocks)
     {
       return levels;
     }
-    const int level = levels[next]--;
+    --levels[next];
     if (GetDepth(shape, levels) <= shape.GetDepth())
     {
       waits.assign(coarsest + 1, false);
     }
     else
     {
-      levels[next]++;
-      waits[level] = true;
+      ++levels[next];
+      waits[nextLevel] = true;
     }
   }
 }
@@ -170,7 +173,24 @@ TEST(LodSelector, FollowsItsRule)
       [&] { return static_cast<BlockRank>(std::min(number(0, 5), 2)); });
     std::array<double, 3> point;
     std::generate(point.begin(), point.end(), [&] { return double(number(-100, 200)); });
-    const RefinementOrder order = MakeOrder(ranks, point, grid, { 1.0, 0.5, double(number(1, 4)) });
+    const std::array<double, 3> spacing = { 1.0, 0.5, double(number(1, 4)) };
+    std::vector<float> errors(4 * blocks);
+    std::generate(errors.begin(), errors.end(),
+      [&]
+      { return number(0, 9) == 0 ? 0.0F : static_cast<float>(std::exp2(0.1 * number(-50, 50))); });
+    const flatblock::BlockDistortion distortion{ errors.data(), number(1, 4), trial % 2 == 0 };
+    RefinementOrder order;
+    switch (trial % 3)
+    {
+    case 0:
+      order.SetToDistance(grid, ranks, point, spacing);
+      break;
+    case 1:
+      order.SetToDistortion(grid, ranks, distortion);
+      break;
+    default:
+      order.SetToDistortionAndDistance(grid, ranks, distortion, point, spacing);
+    }
     const AtlasShape shape({ Sides, blocks * number(20, 5000), blocks, 2048 });
     LodSelector selector;
     if (!selector.Select(order, shape, number(1, 5)))
@@ -197,6 +217,27 @@ TEST(LodSelector, NearBlocksAreFiner)
   {
     EXPECT_LE(levels[Grid.GetBlock({ x - 1, 5, 5 })], levels[Grid.GetBlock({ x, 5, 5 })]);
   }
+}
+
+TEST(LodSelector, WrongBlocksAreFiner)
+{
+  // Errors that double from block to block, and are half as large at each finer level.
+  std::vector<float> errors;
+  for (int block = 0; block < 1000; ++block)
+  {
+    for (int level = 1; level <= 3; ++level)
+    {
+      errors.push_back(static_cast<float>(std::exp2(0.01 * block + level)));
+    }
+  }
+  RefinementOrder order;
+  order.SetToDistortion(Grid, AllInView, { errors.data(), 3, false });
+  LodSelector selector;
+  ASSERT_TRUE(selector.Select(order, MakeShape(1'000'000), 4));
+  const Levels& levels = selector.GetLevels();
+  EXPECT_TRUE(std::is_sorted(levels.rbegin(), levels.rend()));
+  EXPECT_EQ(levels[999], 0);
+  EXPECT_EQ(levels[0], 3);
 }
 
 TEST(LodSelector, WhatIsOutOfViewComesLast)
