@@ -23,6 +23,10 @@ bool AreEqual(const ClassifiedColor& a, const ClassifiedColor& b)
 
 ClassifiedColor ToClassifiedColor(double red, double green, double blue, double opacity)
 {
+  if (!(opacity > 0.0))
+  {
+    return {};
+  }
   const double r = ToLinear(red * opacity);
   const double g = ToLinear(green * opacity);
   const double b = ToLinear(blue * opacity);
@@ -39,9 +43,8 @@ ClassifiedColor ToClassifiedColor(double red, double green, double blue, double 
   const double sum = x + 15.0 * y + 3.0 * z;
   const double u = sum > 0.0 ? 13.0 * lightness * (4.0 * x / sum - 4.0 * WhiteX / WhiteSum) : 0.0;
   const double v = sum > 0.0 ? 13.0 * lightness * (9.0 * y / sum - 9.0 / WhiteSum) : 0.0;
-  const ClassifiedColor color = { static_cast<float>(lightness), static_cast<float>(u),
-    static_cast<float>(v), static_cast<float>(100.0 * opacity) };
-  return color;
+  return { { static_cast<float>(lightness), static_cast<float>(u), static_cast<float>(v),
+    static_cast<float>(100.0 * opacity) } };
 }
 
 ClassifiedTable::ClassifiedTable(double lowest, double highest, std::vector<ClassifiedColor> colors)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 
 #ifdef __CUDACC__
 #define FLATBLOCK_HOST_DEVICE __host__ __device__
@@ -12,9 +13,6 @@
 namespace flatblock
 {
 /// One entry of the classified table: L*, u*, v* of the colour, and opacity in L*'s range.
-#if defined(__GNUC__) && !defined(__CUDACC__)
-using ClassifiedColor = float __attribute__((vector_size(16))); // one register
-#else
 struct alignas(16) ClassifiedColor
 {
   float Components[4];
@@ -23,6 +21,39 @@ struct alignas(16) ClassifiedColor
   FLATBLOCK_HOST_DEVICE float& operator[](int i) { return this->Components[i]; }
 };
 
+#if defined(__GNUC__) && !defined(__CUDACC__)
+/// All four at once: compilers do not find that by themselves.
+using FourFloats = float __attribute__((vector_size(16)));
+
+inline FourFloats Load(const ClassifiedColor& color)
+{
+  FourFloats floats;
+  std::memcpy(&floats, &color, sizeof(floats));
+  return floats;
+}
+inline ClassifiedColor Store(FourFloats floats)
+{
+  ClassifiedColor color;
+  std::memcpy(&color, &floats, sizeof(color));
+  return color;
+}
+inline ClassifiedColor operator+(const ClassifiedColor& a, const ClassifiedColor& b)
+{
+  return Store(Load(a) + Load(b));
+}
+inline ClassifiedColor operator-(const ClassifiedColor& a, const ClassifiedColor& b)
+{
+  return Store(Load(a) - Load(b));
+}
+inline ClassifiedColor operator*(const ClassifiedColor& a, const ClassifiedColor& b)
+{
+  return Store(Load(a) * Load(b));
+}
+inline ClassifiedColor operator*(float a, const ClassifiedColor& b)
+{
+  return Store(a * Load(b));
+}
+#else
 FLATBLOCK_HOST_DEVICE inline ClassifiedColor operator+(
   const ClassifiedColor& a, const ClassifiedColor& b)
 {

@@ -48,9 +48,11 @@ void AddClippingPlanes(vtkVolumeMapper* mapper, vtkMatrix4x4* sampleToWorld, Vie
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
   {
     vtkPlane* plane = planes->GetItem(i);
-    const double* normal = plane->GetNormal();
-    const double world[4] = { normal[0], normal[1], normal[2],
-      plane->FunctionValue(0.0, 0.0, 0.0) };
+    // A plane may have a transform: it is asked instead of taken apart.
+    const double atOrigin = plane->FunctionValue(0.0, 0.0, 0.0);
+    const double world[4] = { plane->FunctionValue(1.0, 0.0, 0.0) - atOrigin,
+      plane->FunctionValue(0.0, 1.0, 0.0) - atOrigin,
+      plane->FunctionValue(0.0, 0.0, 1.0) - atOrigin, atOrigin };
     region.Planes.push_back(ToSamples(world, sampleToWorld));
   }
 }

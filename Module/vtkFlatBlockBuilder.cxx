@@ -11,6 +11,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -109,6 +110,27 @@ private:
   flatblock::LevelFilter Filter;
 };
 
+// Looks only where the ranges say that there are any.
+template <typename T>
+vtkTypeInt64 CountNonFinite([[maybe_unused]] const T* samples, [[maybe_unused]] vtkIdType count,
+  [[maybe_unused]] const std::vector<flatblock::ValueRange>& ranges)
+{
+  vtkTypeInt64 found = 0;
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    if (std::any_of(ranges.begin(), ranges.end(),
+          [](const flatblock::ValueRange& range) { return range.HasBelow || range.HasAbove; }))
+    {
+#pragma omp parallel for reduction(+ : found)
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        found += std::isfinite(samples[i]) ? 0 : 1;
+      }
+    }
+  }
+  return found;
+}
+
 // Bits are packed eight to a byte, which neither kernels nor textures can read.
 vtkSmartPointer<vtkDataArray> UnpackBits(vtkDataArray* scalars)
 {
@@ -136,6 +158,7 @@ bool vtkFlatBlockBuilder::Update(
   image->GetDimensions(samples.data());
   const flatblock::BlockGrid grid(samples, blockSize);
   this->Source.reset();
+  this->Cuda.Release();
   this->BuiltFilter = filter;
   this->Scalars = UnpackBits(scalars);
   switch (this->Scalars->GetDataType())
@@ -165,8 +188,30 @@ void vtkFlatBlockBuilder::Build(const flatblock::BlockGrid& grid, const T* sampl
   {
     this->Range = { 0.0, 0.0 };
   }
+  this->NonFiniteSamples =
+    CountNonFinite(samples, this->Scalars->GetNumberOfValues(), this->BlockRanges);
   this->Source = std::make_unique<ImageBrickSource<T>>(
     grid, samples, MakeEncoding<T>(this->Range), this->BuiltFilter);
+}
+
+std::string vtkFlatBlockBuilder::ComputeDistortion(const std::vector<std::int64_t>& blocks,
+  int levels, const flatblock::ClassifiedTable& table, int threads, bool useCuda, float* distortion)
+{
+  const flatblock::BlockGrid& grid = this->Source->GetGrid();
+  const flatblock::BlockedVolume volume = { grid.GetSamples(), grid.GetBlocks(),
+    grid.GetCellsPerBlock() };
+  std::string problem;
+  switch (this->Scalars->GetDataType())
+  {
+    vtkTemplateMacro(
+      const auto* samples = static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0));
+      if (useCuda) {
+        problem = this->Cuda.Compute(samples, volume, blocks, levels, table, distortion);
+      } if (!useCuda || !problem.empty()) {
+        flatblock::ComputeDistortion(samples, volume, blocks, levels, table, threads, distortion);
+      });
+  }
+  return problem;
 }
 
 void vtkFlatBlockBuilder::PrintSelf(ostream& os, vtkIndent indent)

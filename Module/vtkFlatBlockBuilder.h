@@ -10,10 +10,12 @@
 
 #include "BlockRanges.h"
 #include "BrickSource.h"
+#include "CudaDistortion.h"
 #include "vtkObject.h"
 #include "vtkSmartPointer.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -45,6 +47,20 @@ public:
    */
   const flatblock::ValueRange& GetRange() const { return this->Range; }
 
+  /**
+   * Samples that are NaN or infinite.
+   */
+  vtkTypeInt64 GetNumberOfNonFiniteSamples() const { return this->NonFiniteSamples; }
+
+  /**
+   * How wrong some blocks look at the levels 1 to `levels`, as Distortion.h has it: `levels` values
+   * for each of the blocks. By all threads where `threads` is 0.
+   * @param useCuda  where that fails, the threads do it
+   * @return empty, or why CUDA failed
+   */
+  std::string ComputeDistortion(const std::vector<std::int64_t>& blocks, int levels,
+    const flatblock::ClassifiedTable& table, int threads, bool useCuda, float* distortion);
+
 protected:
   vtkFlatBlockBuilder() = default;
   ~vtkFlatBlockBuilder() override = default;
@@ -60,6 +76,8 @@ private:
   std::unique_ptr<flatblock::BrickSource> Source;
   std::vector<flatblock::ValueRange> BlockRanges;
   flatblock::ValueRange Range;
+  vtkTypeInt64 NonFiniteSamples = 0;
+  flatblock::CudaDistortion Cuda;
 
   const void* BuiltSamples = nullptr; // only compared with
   vtkMTimeType BuiltImageTime = 0;

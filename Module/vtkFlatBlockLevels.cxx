@@ -14,6 +14,11 @@ vtkTypeInt64 GetBytesPerTexel(const flatblock::BrickSource& source)
   return static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(source.GetEncoding().Format));
 }
 
+vtkTypeInt64 CountVisible(const std::vector<std::uint8_t>& visible)
+{
+  return std::count_if(visible.begin(), visible.end(), [](std::uint8_t v) { return v != 0; });
+}
+
 // The largest atlas that leaves room for everything else.
 flatblock::AtlasShape::Request MakeShapeRequest(
   const flatblock::BrickSource& source, const vtkFlatBlockLevels::Limits& limits)
@@ -24,7 +29,8 @@ flatblock::AtlasShape::Request MakeShapeRequest(
   {
     request.Sides.push_back(grid.GetBrickSide(level));
   }
-  const vtkTypeInt64 bytes = limits.MaxMemoryInBytes - limits.BytesBesideAtlas;
+  const vtkTypeInt64 bytes =
+    std::min(limits.MaxMemoryInBytes - limits.BytesBesideAtlas, limits.MaxAtlasBytes);
   request.MostTexels = std::max<vtkTypeInt64>(bytes, 0) / GetBytesPerTexel(source);
   request.FinestBricks = grid.GetNumberOfBlocks(); // so that no edit of opacities changes it
   request.LargestTexture = limits.LargestTexture;
@@ -32,55 +38,75 @@ flatblock::AtlasShape::Request MakeShapeRequest(
 }
 } // namespace
 
-bool vtkFlatBlockLevels::UpdateShape(const flatblock::AtlasShape::Request& request)
+bool vtkFlatBlockLevels::UpdateShape(const flatblock::BrickSource& source,
+  const std::vector<std::uint8_t>& visible, const Limits& limits)
 {
-  if (request == this->ShapeRequest)
+  const auto request = MakeShapeRequest(source, limits);
+  if (!(request == this->ShapeRequest))
+  {
+    this->ShapeRequest = request;
+    this->Shape = flatblock::AtlasShape(request);
+    this->IsNewShape = true;
+  }
+  return this->Shape.GetDepthOf({ CountVisible(visible) }) > this->Shape.GetDepth();
+}
+
+bool vtkFlatBlockLevels::UpdateOrder(const flatblock::BlockGrid& grid, const Blocks& blocks,
+  Criterion criterion, const flatblock::VolumeView& view)
+{
+  const bool areNewRanks = blocks.VisibleTime != this->Ordered.VisibleTime ||
+                           !(view.Region == this->View.Region) || this->Ranks.empty();
+  if (areNewRanks)
+  {
+    this->Ranks = flatblock::RankBlocks(grid, *blocks.Visible, view.Region);
+  }
+  const bool usesDistance = criterion != Criterion::Distortion;
+  const bool usesDistortion = criterion != Criterion::Distance;
+  const bool isNew =
+    areNewRanks || criterion != this->OrderCriterion ||
+    (usesDistance &&
+      (view.PointOfInterest != this->View.PointOfInterest || view.Spacing != this->View.Spacing)) ||
+    (usesDistortion && (blocks.DistortionTime != this->Ordered.DistortionTime ||
+                         blocks.Distortion.PerByte != this->Ordered.Distortion.PerByte));
+  if (!isNew)
   {
     return false;
   }
-  this->ShapeRequest = request;
-  this->Shape = flatblock::AtlasShape(request);
+  switch (criterion)
+  {
+  case Criterion::Distance:
+    this->Order.SetToDistance(grid, this->Ranks, view.PointOfInterest, view.Spacing);
+    break;
+  case Criterion::Distortion:
+    this->Order.SetToDistortion(grid, this->Ranks, blocks.Distortion);
+    break;
+  default:
+    this->Order.SetToDistortionAndDistance(
+      grid, this->Ranks, blocks.Distortion, view.PointOfInterest, view.Spacing);
+  }
+  this->View = view;
+  this->Ordered = blocks;
+  this->OrderCriterion = criterion;
   return true;
 }
 
-bool vtkFlatBlockLevels::UpdateOrder(const flatblock::BlockGrid& grid,
-  const std::vector<std::uint8_t>& visible, vtkMTimeType visibleTime,
-  const flatblock::VolumeView& view)
+void vtkFlatBlockLevels::Update(const flatblock::BrickSource& source, const Blocks& blocks,
+  Criterion criterion, const flatblock::VolumeView& view, const Limits& limits)
 {
-  const bool areNewRanks = visibleTime != this->VisibleTime || !(view.Region == this->View.Region);
-  if (areNewRanks)
-  {
-    this->Ranks = flatblock::RankBlocks(grid, visible, view.Region);
-    this->VisibleTime = visibleTime;
-  }
-  const bool isNewOrder = areNewRanks || view.PointOfInterest != this->View.PointOfInterest ||
-                          view.Spacing != this->View.Spacing;
-  if (isNewOrder)
-  {
-    this->Order.SetToDistance(grid, this->Ranks, view.PointOfInterest, view.Spacing);
-    this->View = view;
-  }
-  return isNewOrder;
-}
-
-void vtkFlatBlockLevels::Update(const flatblock::BrickSource& source,
-  const std::vector<std::uint8_t>& visible, vtkMTimeType visibleTime,
-  const flatblock::VolumeView& view, const Limits& limits)
-{
-  const bool isNewShape = this->UpdateShape(MakeShapeRequest(source, limits));
-  const bool isNewOrder = this->UpdateOrder(source.GetGrid(), visible, visibleTime, view);
-  if (!isNewShape && !isNewOrder && this->NumberOfLevels == limits.NumberOfLevels)
+  const bool isNewOrder = this->UpdateOrder(source.GetGrid(), blocks, criterion, view);
+  if (!this->IsNewShape && !isNewOrder && this->NumberOfLevels == limits.NumberOfLevels)
   {
     return;
   }
-  this->NumberOfLevels = limits.NumberOfLevels;
-  if (!this->Selector.Select(this->Order, this->Shape, limits.NumberOfLevels))
+  if (this->Shape.GetDepth() == 0 ||
+      !this->Selector.Select(this->Order, this->Shape, limits.NumberOfLevels))
   {
-    this->ShapeRequest = {};
-    throw std::runtime_error(this->DescribeTooLittleMemory(limits,
-      std::count_if(visible.begin(), visible.end(), [](std::uint8_t v) { return v != 0; }),
-      GetBytesPerTexel(source)));
+    this->IsNewShape = true; // to be tried again
+    throw std::runtime_error(this->DescribeTooLittleMemory(
+      limits, CountVisible(*blocks.Visible), GetBytesPerTexel(source)));
   }
+  this->IsNewShape = false;
+  this->NumberOfLevels = limits.NumberOfLevels;
   this->Modified();
 }
 
@@ -103,7 +129,12 @@ std::string vtkFlatBlockLevels::DescribeTooLittleMemory(
   coarsest.back() = blocks;
   const vtkTypeInt64 layer =
     static_cast<vtkTypeInt64>(this->Shape.GetWidth()) * this->Shape.GetHeight() * bytesPerTexel;
-  return "MaxMemoryInBytes is " + std::to_string(limits.MaxMemoryInBytes) + ", but " +
+  const std::string limit = limits.MaxAtlasBytes < limits.MaxMemoryInBytes - limits.BytesBesideAtlas
+                              ? "The graphics card has " +
+                                  std::to_string(limits.BytesBesideAtlas + limits.MaxAtlasBytes) +
+                                  " bytes"
+                              : "MaxMemoryInBytes is " + std::to_string(limits.MaxMemoryInBytes);
+  return limit + ", but " +
          std::to_string(limits.BytesBesideAtlas + layer * this->Shape.GetDepthOf(coarsest)) +
          " bytes are needed for the " + std::to_string(blocks) +
          " visible blocks at their coarsest level.";

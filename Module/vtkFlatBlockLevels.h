@@ -27,17 +27,39 @@ public:
   {
     vtkTypeInt64 MaxMemoryInBytes; ///< for everything on the graphics card
     vtkTypeInt64 BytesBesideAtlas; ///< that are taken by all that is not atlas
+    vtkTypeInt64 MaxAtlasBytes;    ///< that the graphics card turned out to have
     int LargestTexture;            ///< texels a side that the driver allows
     int NumberOfLevels;            ///< levels that a block may have
   };
 
+  enum class Criterion
+  {
+    Distance,
+    Distortion,
+    DistortionAndDistance
+  };
+
+  struct Blocks
+  {
+    const std::vector<std::uint8_t>* Visible; ///< for every block whether anything of it is drawn
+    vtkMTimeType VisibleTime;                 ///< when that last changed
+    flatblock::BlockDistortion Distortion;    ///< where the criterion asks for it
+    vtkMTimeType DistortionTime;
+  };
+
   /**
-   * @param visible      for every block whether anything of it is drawn
-   * @param visibleTime  when `visible` last changed
+   * Finds the shape of the atlas.
+   * @return whether not all visible blocks fit it at their finest level
+   */
+  bool UpdateShape(const flatblock::BrickSource& source, const std::vector<std::uint8_t>& visible,
+    const Limits& limits);
+
+  /**
+   * Chooses the levels, after UpdateShape().
    * @throws std::runtime_error where not even the coarsest levels fit
    */
-  void Update(const flatblock::BrickSource& source, const std::vector<std::uint8_t>& visible,
-    vtkMTimeType visibleTime, const flatblock::VolumeView& view, const Limits& limits);
+  void Update(const flatblock::BrickSource& source, const Blocks& blocks, Criterion criterion,
+    const flatblock::VolumeView& view, const Limits& limits);
 
   /**
    * Of every block, flatblock::NoLevel where nothing is drawn.
@@ -67,9 +89,8 @@ private:
   std::string DescribeTooLittleMemory(
     const Limits& limits, vtkTypeInt64 blocks, vtkTypeInt64 bytesPerTexel) const;
 
-  bool UpdateShape(const flatblock::AtlasShape::Request& request);
-  bool UpdateOrder(const flatblock::BlockGrid& grid, const std::vector<std::uint8_t>& visible,
-    vtkMTimeType visibleTime, const flatblock::VolumeView& view);
+  bool UpdateOrder(const flatblock::BlockGrid& grid, const Blocks& blocks, Criterion criterion,
+    const flatblock::VolumeView& view);
 
   flatblock::AtlasShape::Request ShapeRequest;
   flatblock::AtlasShape Shape;
@@ -77,7 +98,9 @@ private:
   std::vector<flatblock::BlockRank> Ranks;
   flatblock::RefinementOrder Order;
   flatblock::LodSelector Selector;
-  vtkMTimeType VisibleTime = 0;
+  Blocks Ordered = {}; // what Order was made of; only compared with
+  Criterion OrderCriterion = Criterion::Distance;
+  bool IsNewShape = true;
   int NumberOfLevels = 0;
 };
 

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 vtkStandardNewMacro(vtkFlatBlockTransferFunction);
 
@@ -79,6 +81,33 @@ std::vector<float> SampleColors(
   }
   return colors;
 }
+template <int Size, typename Function>
+void CheckNodes(Function* function, const char* name)
+{
+  for (int node = 0; node < function->GetSize(); ++node)
+  {
+    double values[Size];
+    function->GetNodeValue(node, values);
+    if (!std::all_of(values, values + Size, [](double value) { return std::isfinite(value); }))
+    {
+      throw std::runtime_error("Node " + std::to_string(node) + " of the " + name +
+                               " function has a value that is not finite.");
+    }
+  }
+}
+
+void CheckNodes(vtkVolumeProperty* property)
+{
+  CheckNodes<4>(property->GetScalarOpacity(), "opacity");
+  if (property->GetColorChannels() == 1)
+  {
+    CheckNodes<4>(property->GetGrayTransferFunction(), "gray");
+  }
+  else
+  {
+    CheckNodes<6>(property->GetRGBTransferFunction(), "color");
+  }
+}
 } // namespace
 
 bool vtkFlatBlockTransferFunction::Update(
@@ -90,6 +119,7 @@ bool vtkFlatBlockTransferFunction::Update(
   {
     return false;
   }
+  CheckNodes(property);
   const int count = CountEntries(property, range);
   const std::vector<float> colors = SampleColors(property, range, count);
   std::vector<double> opacities(count);
@@ -108,6 +138,34 @@ bool vtkFlatBlockTransferFunction::Update(
   this->BuiltStep = step;
   this->Modified();
   return true;
+}
+
+void vtkFlatBlockTransferFunction::UpdateClassified(
+  vtkVolumeProperty* property, const flatblock::ValueRange& range, bool everyInteger)
+{
+  const vtkMTimeType edited = GetLastEdit(property);
+  if (this->ClassifiedProperty == property && this->ClassifiedEdit == edited &&
+      this->Classified.GetLowest() == range.Lowest &&
+      this->Classified.GetHighest() == range.Highest)
+  {
+    return;
+  }
+  constexpr int EntriesOfReals = 4096;
+  const double span = range.Highest - range.Lowest;
+  const int count = everyInteger ? static_cast<int>(span) + 1 : (span > 0.0 ? EntriesOfReals : 1);
+  const std::vector<float> colors = SampleColors(property, range, count);
+  std::vector<double> opacities(count);
+  property->GetScalarOpacity()->GetTable(range.Lowest, range.Highest, count, opacities.data());
+  std::vector<flatblock::ClassifiedColor> classified(count);
+  for (int i = 0; i < count; ++i)
+  {
+    const float* color = &colors[3 * i];
+    classified[i] = flatblock::ToClassifiedColor(color[0], color[1], color[2], opacities[i]);
+  }
+  this->Classified = flatblock::ClassifiedTable(range.Lowest, range.Highest, std::move(classified));
+  this->ClassifiedProperty = property;
+  this->ClassifiedEdit = edited;
+  this->ClassifiedTime.Modified();
 }
 
 void vtkFlatBlockTransferFunction::PrintSelf(ostream& os, vtkIndent indent)

@@ -9,8 +9,10 @@
 #define vtkFlatBlockTransferFunction_h
 
 #include "BlockRanges.h"
+#include "ClassifiedTable.h"
 #include "TransferTable.h"
 #include "vtkObject.h"
+#include "vtkTimeStamp.h"
 
 class vtkVolumeProperty;
 
@@ -26,8 +28,19 @@ public:
    * step of length `step`. Has entries at every integer of ranges up to 8191, and as many as the
    * nodes of the functions ask for, from 1024 to 8192.
    * @return whether the table was built anew
+   * @throws std::runtime_error where a node of the functions is not a number
    */
   bool Update(vtkVolumeProperty* property, const flatblock::ValueRange& range, double step);
+
+  /**
+   * Samples the same as people see it, with the opacity of the unit distance: so it does not depend
+   * on the step. With an entry for every integer of the range, or else with 4096.
+   */
+  void UpdateClassified(
+    vtkVolumeProperty* property, const flatblock::ValueRange& range, bool everyInteger);
+
+  const flatblock::ClassifiedTable& GetClassifiedTable() const { return this->Classified; }
+  vtkMTimeType GetClassifiedTime() const { return this->ClassifiedTime.GetMTime(); }
 
   const flatblock::TransferTable& GetTable() const { return this->Table; }
 
@@ -44,6 +57,11 @@ private:
   vtkVolumeProperty* BuiltProperty = nullptr; // only compared with
   vtkMTimeType BuiltTime = 0;
   double BuiltStep = 0.0;
+
+  flatblock::ClassifiedTable Classified;
+  vtkTimeStamp ClassifiedTime;
+  vtkMTimeType ClassifiedEdit = 0;
+  vtkVolumeProperty* ClassifiedProperty = nullptr; // only compared with
 };
 
 #endif

@@ -65,7 +65,8 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
   catch (const std::exception& problem)
   {
-    in.Residency.Clear(); // an upload may have been cut short
+    in.Residency.Clear();                          // an upload may have been cut short
+    in.Atlas->ReleaseGraphicsResources(in.Window); // it may be more than the limit now
     this->ReportOnce(problem.what());
   }
 }
@@ -95,7 +96,7 @@ double* vtkFlatBlockVolumeMapper::GetBounds()
 bool vtkFlatBlockVolumeMapper::GetConverged() const
 {
   const vtkInternals& in = *this->Internals;
-  return in.Frames > 0 && in.LastError.empty() &&
+  return in.Frames > 0 && in.LastError.empty() && in.IsDistortionCurrent &&
          in.Residency.GetLevels() == in.Levels->GetLevels();
 }
 
@@ -159,6 +160,7 @@ void vtkFlatBlockVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Internals->Atlas->ReleaseGraphicsResources(window);
   this->Internals->RayCaster->ReleaseGraphicsResources(window);
   this->Internals->CardLimit = {};
+  this->Internals->LastAtlasBytes = 0;
 }
 
 void vtkFlatBlockVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
@@ -173,7 +175,13 @@ void vtkFlatBlockVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseCameraAsPointOfInterest: " << this->UseCameraAsPointOfInterest << "\n";
   os << indent << "InterblockContinuity: " << this->InterblockContinuity << "\n";
   os << indent << "LevelFilter: " << (this->LevelFilter == TENT ? "Tent" : "Subsample") << "\n";
-  os << indent << "SelectionCriterion: Distance\n";
+  const char* const criteria[] = { "Distance", "Distortion", "DistortionAndDistance" };
+  os << indent << "SelectionCriterion: " << criteria[this->SelectionCriterion] << "\n";
+  const char* const backends[] = { "Auto", "Serial", "OpenMP", "CUDA" };
+  os << indent << "DistortionBackend: " << backends[this->DistortionBackend] << "\n";
+  os << indent << "DistortionPerByte: " << this->DistortionPerByte << "\n";
+  os << indent << "DistortionBlocksPerFrame: " << this->DistortionBlocksPerFrame << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "RefinementFraction: " << this->RefinementFraction << "\n";
   os << indent << "UploadBytesPerFrame: " << this->UploadBytesPerFrame << "\n";
   os << indent << "Converged: " << this->GetConverged() << "\n";

@@ -106,20 +106,95 @@ public:
 
   enum SelectionCriteria
   {
-    DISTANCE
+    DISTANCE,
+    DISTORTION,
+    DISTORTION_AND_DISTANCE
   };
 
   ///@{
   /**
-   * Which block is refined first. Distance (default, and the only one yet): the one for which
-   * 1 / (d + diagonal) is the largest, with d the distance from the point of interest to the
-   * block's centre, and the diagonal that of the block counted in voxels of its present level, both
-   * in world units of the finest voxel. Blocks that are wholly out of view, or beyond a clipping
-   * plane or the cropping, come after all others.
+   * Which block is refined first. Distance (default): the one for which 1 / (d + diagonal) is the
+   * largest, with d the distance from the point of interest to the block's centre, and the diagonal
+   * that of the block counted in voxels of its present level, both in world units of the finest
+   * voxel. Distortion: the one that looks most wrong at its present level,
+   * e(b, l) = sqrt(1/n sum |T(v) - T(v_l)|^2) over its n samples v, with v_l the interpolant of its
+   * samples at a stride of 2^l, and T the CIELUV colour over black, and opacity, that the transfer
+   * function gives to a value. Both: the one with the largest e / (d + diagonal). Blocks that are
+   * wholly out of view, or beyond a clipping plane or the cropping, come after all others.
    */
-  vtkSetClampMacro(SelectionCriterion, int, DISTANCE, DISTANCE);
+  vtkSetClampMacro(SelectionCriterion, int, DISTANCE, DISTORTION_AND_DISTANCE);
   vtkGetMacro(SelectionCriterion, int);
   void SetSelectionCriterionToDistance() { this->SetSelectionCriterion(DISTANCE); }
+  void SetSelectionCriterionToDistortion() { this->SetSelectionCriterion(DISTORTION); }
+  void SetSelectionCriterionToDistortionAndDistance()
+  {
+    this->SetSelectionCriterion(DISTORTION_AND_DISTANCE);
+  }
+  ///@}
+
+  ///@{
+  /**
+   * Whether errors count for each byte of the brick that would replace the present one. Default:
+   * on.
+   */
+  vtkSetMacro(DistortionPerByte, bool);
+  vtkGetMacro(DistortionPerByte, bool);
+  vtkBooleanMacro(DistortionPerByte, bool);
+  ///@}
+
+  enum DistortionBackends
+  {
+    AUTO,
+    SERIAL,
+    OPENMP,
+    CUDA
+  };
+
+  ///@{
+  /**
+   * What computes distortions: CUDA where a device answers, else OpenMP (Auto, default), or one of
+   * them. They agree to 1e-6 of a value; Serial and OpenMP to the last bit. Where CUDA is chosen
+   * and there is none, or it fails, a warning says so and OpenMP takes its place.
+   */
+  vtkSetClampMacro(DistortionBackend, int, AUTO, CUDA);
+  vtkGetMacro(DistortionBackend, int);
+  void SetDistortionBackendToAuto() { this->SetDistortionBackend(AUTO); }
+  void SetDistortionBackendToSerial() { this->SetDistortionBackend(SERIAL); }
+  void SetDistortionBackendToOpenMP() { this->SetDistortionBackend(OPENMP); }
+  void SetDistortionBackendToCUDA() { this->SetDistortionBackend(CUDA); }
+  ///@}
+
+  ///@{
+  /**
+   * Threads of the OpenMP backend; 0 (default): as many as OpenMP finds.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Blocks whose distortion an interactive frame computes, those first that could be most wrong;
+   * all others have their last value, or a guess. Default: 512. All other frames compute what is
+   * missing.
+   */
+  vtkSetClampMacro(DistortionBlocksPerFrame, int, 1, VTK_INT_MAX);
+  vtkGetMacro(DistortionBlocksPerFrame, int);
+  ///@}
+
+  /**
+   * Whether no visible block waits for its distortion: so also where it is not asked for.
+   */
+  bool GetDistortionComplete() const;
+
+  ///@{
+  /**
+   * Sum of e(b, l) over all visible blocks at the levels of the last frame, and its mean over those
+   * that are not at their finest level. Computes what is missing, whatever the criterion; 0 before
+   * the first frame.
+   */
+  double GetTotalDistortion();
+  double GetMeanDistortionOfUnrefinedBlocks();
   ///@}
 
   ///@{
@@ -211,11 +286,12 @@ public:
 
   ///@{
   /**
-   * Milliseconds that the last frame took on the CPU: block ranges and transfer table; levels and
-   * places; bricks and tables to the graphics card; commands of the ray caster, not their
-   * execution.
+   * Milliseconds that the last frame took on the CPU: block ranges and transfer table; distortion;
+   * levels and places; bricks and tables to the graphics card; commands of the ray caster, not
+   * their execution.
    */
   double GetRangeMilliseconds() const;
+  double GetDistortionMilliseconds() const;
   double GetSelectionMilliseconds() const;
   double GetUploadMilliseconds() const;
   double GetDrawMilliseconds() const;
@@ -261,8 +337,10 @@ private:
   void ReportProgress();
   void UpdateAtlas(vtkRenderer* renderer, vtkVolume* volume);
   bool TryAtlas(vtkRenderer* renderer, vtkVolume* volume);
-  void ShrinkAtlas(vtkRenderer* renderer);
+  void ShrinkAtlas();
   void UpdateLevels(vtkRenderer* renderer, vtkVolume* volume);
+  void UpdateDistortion(vtkTypeInt64 mostBlocks);
+  bool UsesCuda();
   vtkTypeInt64 GetBytesBesideAtlas(vtkRenderer* renderer) const;
   double GetStep() const;
   void WarnAboutIgnoredSettings(vtkVolume* volume);
@@ -273,6 +351,10 @@ private:
   int NumberOfLevels = 4;
   int LevelFilter = SUBSAMPLE;
   int SelectionCriterion = DISTANCE;
+  bool DistortionPerByte = true;
+  int DistortionBackend = AUTO;
+  int NumberOfThreads = 0;
+  int DistortionBlocksPerFrame = 512;
   double PointOfInterest[3] = { 0.0, 0.0, 0.0 };
   bool UseCameraAsPointOfInterest = true;
   double RefinementFraction = 0.1;

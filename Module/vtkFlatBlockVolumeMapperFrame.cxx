@@ -14,6 +14,15 @@
 
 // One frame of vtkFlatBlockVolumeMapper: the stages, in the order in which data flows through them.
 
+namespace
+{
+bool IsInteractive(vtkRenderer* renderer)
+{
+  constexpr double InteractiveUpdateRate = 1.0;
+  return renderer->GetRenderWindow()->GetDesiredUpdateRate() >= InteractiveUpdateRate;
+}
+} // namespace
+
 void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
@@ -32,6 +41,7 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   {
     throw std::runtime_error("The volume has no vtkVolumeProperty.");
   }
+  in.Property = volume->GetProperty();
   if (this->BlendMode != COMPOSITE_BLEND)
   {
     throw std::runtime_error("Only composite blending is supported, not blend mode " +
@@ -68,6 +78,8 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
   if (in.Builder->Update(in.Input.Image, in.Input.Scalars, this->BlockSize, filter))
   {
     in.Residency.Clear();
+    in.LastAtlasBytes = 0;
+    in.CardLimit = {};
   }
 }
 
@@ -104,16 +116,32 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer
 void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
-  flatblock::StageTimer timer(in.Statistics.SelectionMilliseconds);
   vtkFlatBlockLevels::Limits limits;
-  limits.MaxMemoryInBytes = std::min(this->MaxMemoryInBytes, in.CardLimit.Bytes);
+  limits.MaxMemoryInBytes = this->MaxMemoryInBytes;
+  limits.MaxAtlasBytes = in.CardLimit.AtlasBytes;
   limits.BytesBesideAtlas = this->GetBytesBesideAtlas(renderer);
   limits.LargestTexture = vtkOpenGLFlatBlockAtlas::GetLargestTexture(in.Window);
   limits.NumberOfLevels = this->NumberOfLevels;
+  const flatblock::BrickSource& source = in.Builder->GetSource();
+  const bool isLimited = in.Levels->UpdateShape(source, in.VisibleBlocks, limits);
+  auto criterion = vtkFlatBlockLevels::Criterion::Distance;
+  in.IsDistortionCurrent = true;
+  if (isLimited && this->SelectionCriterion != DISTANCE)
+  {
+    criterion = this->SelectionCriterion == DISTORTION
+                  ? vtkFlatBlockLevels::Criterion::Distortion
+                  : vtkFlatBlockLevels::Criterion::DistortionAndDistance;
+    this->UpdateDistortion(
+      IsInteractive(renderer) ? this->DistortionBlocksPerFrame : VTK_TYPE_INT64_MAX);
+    in.IsDistortionCurrent = in.Distortion->IsComplete();
+  }
+  flatblock::StageTimer timer(in.Statistics.SelectionMilliseconds);
   const double* point = this->UseCameraAsPointOfInterest
                           ? renderer->GetActiveCamera()->GetPosition()
                           : this->PointOfInterest;
-  in.Levels->Update(in.Builder->GetSource(), in.VisibleBlocks, in.VisibleBlocksTime.GetMTime(),
+  const vtkFlatBlockLevels::Blocks blocks = { &in.VisibleBlocks, in.VisibleBlocksTime.GetMTime(),
+    in.Distortion->Get(this->DistortionPerByte), in.Distortion->GetMTime() };
+  in.Levels->Update(source, blocks, criterion,
     flatblock::GetVolumeView(renderer, volume, this, in.Input, point), limits);
 }
 
@@ -134,8 +162,10 @@ flatblock::FramePlan vtkFlatBlockVolumeMapper::vtkInternals::PlanFrame(
   flatblock::FramePlan frame = plan();
   if (!frame.Moves.empty() && !vtkOpenGLFlatBlockAtlas::CanMove())
   {
+    // All bricks anew, and in one frame, or the next ones would come to the same point again.
     this->Residency.Clear();
-    frame = plan();
+    frame = this->Residency.PlanStill(
+      source.GetGrid(), this->Levels->GetLevels(), this->Levels->GetShape(), borders);
   }
   return frame;
 }
@@ -155,7 +185,7 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
   in.RayCaster->ReleaseStale(renderer, table);
   while (!this->TryAtlas(renderer, volume))
   {
-    this->ShrinkAtlas(renderer);
+    this->ShrinkAtlas();
   }
   if (!in.RayCaster->HasTransferTable() || in.TransferFunction->GetMTime() > in.TransferTextureTime)
   {
@@ -168,7 +198,6 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
 // False where the graphics card has no memory for it.
 bool vtkFlatBlockVolumeMapper::TryAtlas(vtkRenderer* renderer, vtkVolume* volume)
 {
-  constexpr double InteractiveUpdateRate = 1.0;
   vtkInternals& in = *this->Internals;
   this->UpdateLevels(renderer, volume);
   const flatblock::BrickSource& source = in.Builder->GetSource();
@@ -177,10 +206,8 @@ bool vtkFlatBlockVolumeMapper::TryAtlas(vtkRenderer* renderer, vtkVolume* volume
     this->RefinementFraction * static_cast<double>(this->GetNumberOfBlocks()));
   budget.Texels = this->UploadBytesPerFrame /
                   static_cast<vtkTypeInt64>(BytesPerTexel(source.GetEncoding().Format));
-  const bool isInteractive =
-    renderer->GetRenderWindow()->GetDesiredUpdateRate() >= InteractiveUpdateRate;
   const flatblock::FramePlan frame =
-    in.PlanFrame(isInteractive ? &budget : nullptr, this->InterblockContinuity);
+    in.PlanFrame(IsInteractive(renderer) ? &budget : nullptr, this->InterblockContinuity);
 
   flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
   if (!in.Atlas->Execute(in.Window, frame, in.Residency, source))
@@ -198,7 +225,7 @@ bool vtkFlatBlockVolumeMapper::TryAtlas(vtkRenderer* renderer, vtkVolume* volume
 }
 
 // To what was there before, or else to less and less.
-void vtkFlatBlockVolumeMapper::ShrinkAtlas(vtkRenderer* renderer)
+void vtkFlatBlockVolumeMapper::ShrinkAtlas()
 {
   constexpr vtkTypeInt64 TooSmall = 4096;
   vtkInternals& in = *this->Internals;
@@ -206,8 +233,8 @@ void vtkFlatBlockVolumeMapper::ShrinkAtlas(vtkRenderer* renderer)
   const flatblock::Index3 size = atlas.GetTextureSize();
   const vtkTypeInt64 bytes = atlas.GetTexels() * static_cast<vtkTypeInt64>(BytesPerTexel(
                                                    in.Builder->GetSource().GetEncoding().Format));
-  const vtkTypeInt64 smaller =
-    in.LastAtlasBytes > 0 && in.LastAtlasBytes < bytes ? in.LastAtlasBytes : bytes / 4 * 3;
+  const bool isLastWorthwhile = in.LastAtlasBytes < bytes && in.LastAtlasBytes >= bytes / 16;
+  const vtkTypeInt64 smaller = isLastWorthwhile ? in.LastAtlasBytes : bytes / 4 * 3;
   const std::string problem = "The graphics card has no memory for an atlas of " +
                               std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
                               std::to_string(size[2]) + " texels, " + std::to_string(bytes) +
@@ -220,7 +247,7 @@ void vtkFlatBlockVolumeMapper::ShrinkAtlas(vtkRenderer* renderer)
   {
     vtkErrorMacro(<< problem << "; a smaller one takes its place until MaxMemoryInBytes is set.");
   }
-  in.CardLimit = { this->GetBytesBesideAtlas(renderer) + smaller, this->MaxMemoryInBytes };
+  in.CardLimit = { smaller, this->MaxMemoryInBytes };
   in.Residency.Clear();
 }
 

@@ -6,6 +6,7 @@
 #include "FramePlan.h"
 #include "MemoryCounter.h"
 #include "vtkFlatBlockBuilder.h"
+#include "vtkFlatBlockDistortion.h"
 #include "vtkFlatBlockLevels.h"
 #include "vtkFlatBlockTransferFunction.h"
 #include "vtkFlatBlockVolumeMapper.h"
@@ -14,7 +15,9 @@
 
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
+#include "vtkVolumeProperty.h"
 #include "vtkWeakPointer.h"
 
 #include <chrono>
@@ -30,7 +33,8 @@ struct FrameStatistics
   vtkTypeInt64 UploadedBytes = 0;
   vtkTypeInt64 MovedBytes = 0;
   vtkTypeInt64 FramesSinceChange = 0;
-  double RangeMilliseconds = 0.0;     ///< block ranges and transfer table
+  double RangeMilliseconds = 0.0; ///< block ranges and transfer table
+  double DistortionMilliseconds = 0.0;
   double SelectionMilliseconds = 0.0; ///< levels, and their places
   double UploadMilliseconds = 0.0;    ///< bricks and tables to the graphics card
   double DrawMilliseconds = 0.0;      ///< commands of the ray caster, not their execution
@@ -39,8 +43,8 @@ struct FrameStatistics
 /// What the graphics card turned out to have.
 struct CardLimit
 {
-  vtkTypeInt64 Bytes = VTK_TYPE_INT64_MAX; ///< for everything
-  vtkTypeInt64 FoundFor = 0;               ///< MaxMemoryInBytes that was too much, 0: none was
+  vtkTypeInt64 AtlasBytes = VTK_TYPE_INT64_MAX;
+  vtkTypeInt64 FoundFor = 0; ///< MaxMemoryInBytes that was too much, 0: none was
 };
 
 /// Adds the time until it goes out of scope.
@@ -78,6 +82,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkNew<vtkFlatBlockBuilder> Builder;
   vtkNew<vtkFlatBlockTransferFunction> TransferFunction;
   std::vector<std::uint8_t> VisibleBlocks;
+  vtkNew<vtkFlatBlockDistortion> Distortion;
   vtkNew<vtkFlatBlockLevels> Levels;
   flatblock::Residency Residency;
   vtkNew<vtkOpenGLFlatBlockAtlas> Atlas;
@@ -94,4 +99,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   bool WasConverged = true;
   std::string LastError;
   std::string LastWarning;
+  bool IsDistortionCurrent = true; // or not asked for
+  bool HasCudaFailed = false;
+  bool HasWarnedOfSamples = false;
+  vtkSmartPointer<vtkVolumeProperty> Property; // of the last frame
 };

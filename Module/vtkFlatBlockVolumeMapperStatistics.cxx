@@ -93,6 +93,11 @@ double vtkFlatBlockVolumeMapper::GetRangeMilliseconds() const
   return this->Internals->Statistics.RangeMilliseconds;
 }
 
+double vtkFlatBlockVolumeMapper::GetDistortionMilliseconds() const
+{
+  return this->Internals->Statistics.DistortionMilliseconds;
+}
+
 double vtkFlatBlockVolumeMapper::GetSelectionMilliseconds() const
 {
   return this->Internals->Statistics.SelectionMilliseconds;
@@ -125,7 +130,8 @@ void vtkFlatBlockVolumeMapper::PrintStatistics(ostream& os)
      << " moved\n";
   os << "Changes pending: " << this->GetNumberOfPendingChanges() << "\n";
   os << "Frames since the last change: " << this->GetFramesSinceLastChange() << "\n";
-  os << "Milliseconds: ranges " << this->GetRangeMilliseconds() << ", selection "
-     << this->GetSelectionMilliseconds() << ", upload " << this->GetUploadMilliseconds()
-     << ", draw " << this->GetDrawMilliseconds() << "\n";
+  os << "Milliseconds: ranges " << this->GetRangeMilliseconds() << ", distortion "
+     << this->GetDistortionMilliseconds() << ", selection " << this->GetSelectionMilliseconds()
+     << ", upload " << this->GetUploadMilliseconds() << ", draw " << this->GetDrawMilliseconds()
+     << "\n";
 }

@@ -105,8 +105,14 @@ bool vtkOpenGLFlatBlockAtlas::Execute(vtkOpenGLRenderWindow* window,
     this->ReleaseGraphicsResources(window);
     return false;
   }
+  ClearGLErrors();
   this->Move(plan.Moves, source.GetEncoding().Format);
   this->Upload(plan.Uploads, places, source);
+  if (glGetError() == GL_OUT_OF_MEMORY) // of drivers that allocate what is touched
+  {
+    this->ReleaseGraphicsResources(window);
+    return false;
+  }
   return true;
 }
 

@@ -156,4 +156,29 @@ std::int64_t CountTexels(BrickParts parts, int side)
   }
   return texels;
 }
+
+std::vector<std::uint8_t> FindTouched(const BlockGrid& grid, const std::vector<std::int8_t>& before,
+  const std::vector<std::int8_t>& after)
+{
+  std::vector<std::uint8_t> touched(after.size(), 0);
+  const Index3& blocks = grid.GetBlocks();
+  for (std::size_t block = 0; block < after.size(); ++block)
+  {
+    if (before[block] == after[block])
+    {
+      continue;
+    }
+    const Index3 p = grid.GetPosition(static_cast<std::int64_t>(block));
+    for (int z = std::max(p[2] - 1, 0); z <= std::min(p[2] + 1, blocks[2] - 1); ++z)
+    {
+      for (int y = std::max(p[1] - 1, 0); y <= std::min(p[1] + 1, blocks[1] - 1); ++y)
+      {
+        const std::int64_t row = grid.GetBlock({ 0, y, z });
+        std::fill(touched.begin() + row + std::max(p[0] - 1, 0),
+          touched.begin() + row + std::min(p[0] + 1, blocks[0] - 1) + 1, std::uint8_t(1));
+      }
+    }
+  }
+  return touched;
+}
 } // namespace flatblock

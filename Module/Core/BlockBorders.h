@@ -29,6 +29,10 @@ enum class Continuity : std::uint8_t
 BlockBorder GetBlockBorder(const BlockGrid& grid, const std::vector<std::int8_t>& levels,
   std::int64_t block, Continuity continuity);
 
+/// For every block whether its border may differ: those whose level does, and all around them.
+std::vector<std::uint8_t> FindTouched(const BlockGrid& grid, const std::vector<std::int8_t>& before,
+  const std::vector<std::int8_t>& after);
+
 /// Directions of a BlockBorder, one bit each; the middle stands for the whole brick.
 using BrickParts = std::uint32_t;
 constexpr BrickParts WholeBrick = 1U << 13;

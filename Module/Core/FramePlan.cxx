@@ -29,31 +29,6 @@ int GetCanonicalDepth(const std::vector<std::int8_t>& levels, const AtlasShape& 
   return static_cast<int>(std::min<std::int64_t>(depth, shape.GetDepth()));
 }
 
-// Marks the blocks around each block whose level changes, and itself.
-std::vector<std::uint8_t> FindTouched(const BlockGrid& grid, const std::vector<std::int8_t>& before,
-  const std::vector<std::int8_t>& after)
-{
-  std::vector<std::uint8_t> touched(after.size(), 0);
-  const Index3& blocks = grid.GetBlocks();
-  for (std::size_t block = 0; block < after.size(); ++block)
-  {
-    if (before[block] == after[block])
-    {
-      continue;
-    }
-    const Index3 p = grid.GetPosition(static_cast<std::int64_t>(block));
-    for (int z = std::max(p[2] - 1, 0); z <= std::min(p[2] + 1, blocks[2] - 1); ++z)
-    {
-      for (int y = std::max(p[1] - 1, 0); y <= std::min(p[1] + 1, blocks[1] - 1); ++y)
-      {
-        const std::int64_t row = grid.GetBlock({ 0, y, z });
-        std::fill(touched.begin() + row + std::max(p[0] - 1, 0),
-          touched.begin() + row + std::min(p[0] + 1, blocks[0] - 1) + 1, std::uint8_t(1));
-      }
-    }
-  }
-  return touched;
-}
 } // namespace
 
 void Residency::Clear()
@@ -143,7 +118,11 @@ FramePlan Residency::PlanStep(const BlockGrid& grid, const std::vector<std::int8
       }
       // What is there lies close together, but the change itself opens a gap.
       next = step({ 1, 1 });
-      this->TakePlaces(next, std::numeric_limits<std::int64_t>::max(), plan);
+      if (!this->TakePlaces(next, std::numeric_limits<std::int64_t>::max(), plan))
+      {
+        *this = before;
+        return this->PlanStill(grid, levels, shape, continuity);
+      }
     }
     plan.NewPlaces = true;
   }

@@ -42,11 +42,12 @@ public:
       return this->Target;
     }
     this->Refine();
-    while (!this->Collapses.empty() && this->HasBudget(this->Collapses.back()))
+    // A coarser brick may begin a slab before the finer ones have left theirs.
+    while (!this->Collapses.empty() && (!this->Fits() || this->HasBudget(this->Collapses.back())))
     {
       this->CollapseOne();
     }
-    return this->Levels;
+    return this->Fits() ? this->Levels : this->Target;
   }
 
 private:
@@ -121,6 +122,7 @@ private:
 
   void ShowAndHide()
   {
+    const std::vector<std::int8_t> before = this->Levels;
     std::vector<std::size_t> shown;
     for (std::size_t block = 0; block < this->Target.size(); ++block)
     {
@@ -133,6 +135,12 @@ private:
         shown.push_back(block);
       }
     }
+    this->Show(shown);
+    this->SpendOnBorders(before);
+  }
+
+  void Show(const std::vector<std::size_t>& shown)
+  {
     const std::int8_t first = this->GetFirstLevel(static_cast<std::int64_t>(shown.size()));
     for (const std::size_t block : shown)
     {
@@ -140,6 +148,22 @@ private:
       const std::int64_t side = this->Own.Grid.GetBrickSide(this->Levels[block]);
       this->Budget.Texels -= side * side * side;
       this->IsFirst = false;
+    }
+  }
+
+  // Borders that follow blocks that are new or gone.
+  void SpendOnBorders(const std::vector<std::int8_t>& before)
+  {
+    const std::vector<std::uint8_t> touched = FindTouched(this->Own.Grid, before, this->Levels);
+    for (std::size_t i = 0; this->Own.Borders != Continuity::Off && i < touched.size(); ++i)
+    {
+      if (touched[i] && before[i] == this->Levels[i] && before[i] != NoLevel)
+      {
+        const auto block = static_cast<std::int64_t>(i);
+        const BrickParts parts = GetChangedParts(
+          GetBlockBorder(this->Own.Grid, before, block, this->Own.Borders), this->GetBorder(block));
+        this->Budget.Texels -= CountTexels(parts, this->Own.Grid.GetBrickSide(before[i]));
+      }
     }
   }
 

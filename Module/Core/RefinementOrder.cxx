@@ -60,7 +60,8 @@ void RefinementOrder::SetToDistance(const BlockGrid& grid, const std::vector<Blo
   for (std::size_t level = 0; level < this->Delays.size(); ++level)
   {
     const int voxels = grid.GetCellsPerBlock() >> level;
-    this->Delays[level] = static_cast<int>(std::lround(voxels * voxel * scale));
+    const double delay = voxels * voxel * scale;
+    this->Delays[level] = delay > 0.0 ? static_cast<int>(std::lround(std::min(delay, Steps))) : 0;
   }
   this->Numbers.resize(1);
   this->Numbers[0].resize(ranks.size());
@@ -77,7 +78,7 @@ void RefinementOrder::SetToDistance(const BlockGrid& grid, const std::vector<Blo
       for (std::size_t i = 0; i < row.size(); ++i)
       {
         const double steps = (std::sqrt(squares[i] + plane) - nearest) * scale;
-        row[i] = static_cast<std::int32_t>(std::min(std::max(steps, 0.0), Steps));
+        row[i] = static_cast<std::int32_t>(steps > 0.0 ? std::min(steps, Steps) : 0.0);
       }
       for (const std::int32_t steps : row)
       {

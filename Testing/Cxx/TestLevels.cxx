@@ -59,6 +59,7 @@ struct Inputs
   int BlockSize = 17;
   bool IsContinuous = true;
   bool IsFiltered = false;
+  int Criterion = 0;
 
   void ApplyTo(Scene& scene) const
   {
@@ -67,6 +68,8 @@ struct Inputs
     scene.Mapper->SetMaxMemoryInBytes(this->Limit);
     scene.Mapper->SetInterblockContinuity(this->IsContinuous);
     scene.Mapper->SetLevelFilter(this->IsFiltered);
+    scene.Mapper->SetSelectionCriterion(this->Criterion);
+    scene.Mapper->SetDistortionBlocksPerFrame(40);
     scene.Mapper->SetUseCameraAsPointOfInterest(this->IsCameraOfInterest);
     scene.Mapper->SetPointOfInterest(this->Point[0], this->Point[1], this->Point[2]);
     scene.SetRamp(this->Ramp[0], this->Ramp[1], this->Ramp[2]);
@@ -77,7 +80,7 @@ struct Inputs
   {
     const auto uniform = [&random](double from, double to)
     { return std::uniform_real_distribution<double>(from, to)(random); };
-    switch (random() % 12)
+    switch (random() % 14)
     {
     case 0:
       this->Limit = Beside + vtkTypeInt64(uniform(1e5, 3e6));
@@ -104,6 +107,10 @@ struct Inputs
       break;
     case 8:
       this->IsFiltered = !this->IsFiltered;
+      break;
+    case 9:
+    case 10:
+      this->Criterion = int(random() % 3);
       break;
     default:
       this->Azimuth = uniform(0.0, 360.0);
@@ -132,11 +139,13 @@ TEST(Levels, StillsDependOnTheirInputsAlone)
       moved += walked.Mapper->GetMovedBytes();
     }
     walked.Window->SetDesiredUpdateRate(0.0001);
+    const vtkTypeInt64 limitBefore = walked.Mapper->GetMaxMemoryInBytes();
     inputs.ChangeOne(random);
     inputs.ApplyTo(walked);
     const auto picture = walked.Draw();
     moved += walked.Mapper->GetMovedBytes();
-    ASSERT_LE(walked.Mapper->GetPeakMemoryInBytes(), inputs.Limit);
+    ASSERT_LE(walked.Mapper->GetMemoryInBytes(), inputs.Limit);
+    ASSERT_LE(walked.Mapper->GetPeakMemoryInBytes(), std::max(inputs.Limit, limitBefore));
     Scene fresh;
     ShowShell(fresh, inputs.Limit);
     inputs.ApplyTo(fresh);

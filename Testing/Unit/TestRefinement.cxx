@@ -148,3 +148,39 @@ TEST(Refinement, WhatMattersMostComesFirst)
   }
   EXPECT_EQ(CountChanges(Levels(1000, 2), next), 10);
 }
+
+// Whatever there is and whatever is wanted: each step fits, and the last one arrives.
+TEST(Refinement, EveryStepFits)
+{
+  std::mt19937 random(19);
+  const AtlasShape shape = MakeShape(250'000);
+  const auto order = MakeOrder(0.0);
+  const auto anything = [&]
+  {
+    Levels levels(1000, 4);
+    for (int change = 0; change < 3000; ++change)
+    {
+      std::int8_t& level = levels[random() % 1000];
+      const std::int8_t before = level;
+      level = static_cast<std::int8_t>(int(random() % 6) - 1);
+      level = Fits(shape, levels) ? level : before;
+    }
+    return levels;
+  };
+  Levels levels = anything();
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    const Levels target = anything();
+    for (int step = 0; step < 5 || trial % 20 == 0; ++step)
+    {
+      ASSERT_LT(step, 3000);
+      levels = MakeRefiner(shape).StepTowards(
+        target, levels, order.GetBlocks(), { int(random() % 40), int(random() % 20'000) });
+      ASSERT_TRUE(Fits(shape, levels)) << trial << " " << step;
+      if (levels == target)
+      {
+        break;
+      }
+    }
+  }
+}

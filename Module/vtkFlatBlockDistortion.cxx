@@ -1,0 +1,128 @@
+#include "vtkFlatBlockDistortion.h"
+
+#include "vtkFlatBlockBuilder.h"
+
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <limits>
+
+vtkStandardNewMacro(vtkFlatBlockDistortion);
+
+void vtkFlatBlockDistortion::StartAnew(vtkFlatBlockBuilder* builder, int levels)
+{
+  const std::size_t blocks = builder->GetBlockRanges().size();
+  this->Levels = levels;
+  this->Values.assign(blocks * levels, 0.0F);
+  this->Bounds.assign(blocks, 0.0F);
+  this->HasValue.assign(blocks, 0);
+  this->IsWaiting.assign(blocks, 0);
+}
+
+void vtkFlatBlockDistortion::SetTable(vtkFlatBlockBuilder* builder,
+  const flatblock::ClassifiedTable& table, vtkMTimeType tableTime, int levels)
+{
+  const bool isNew = this->BuilderTime != builder->GetMTime() || this->Levels != levels;
+  if (!isNew && this->TableTime == tableTime)
+  {
+    return;
+  }
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  std::pair<double, double> changed = { -Infinity, Infinity };
+  if (isNew)
+  {
+    this->StartAnew(builder, levels);
+  }
+  else
+  {
+    changed = flatblock::FindDifference(this->Table, table);
+  }
+  this->Table = table;
+  this->BuilderTime = builder->GetMTime();
+  this->TableTime = tableTime;
+  if (changed.first <= changed.second)
+  {
+    this->FindWaiting(builder, changed);
+    this->Modified();
+  }
+}
+
+void vtkFlatBlockDistortion::FindWaiting(
+  vtkFlatBlockBuilder* builder, const std::pair<double, double>& changed)
+{
+  constexpr float Typical = 0.25F; // of the bound, where nothing better is known
+  const auto& ranges = builder->GetBlockRanges();
+  for (std::size_t block = 0; block < ranges.size(); ++block)
+  {
+    const flatblock::ValueRange& range = ranges[block];
+    if (range.Highest < changed.first || range.Lowest > changed.second)
+    {
+      continue;
+    }
+    float* values = &this->Values[block * this->Levels];
+    const bool isConstant = this->Table.IsConstant(range.Lowest, range.Highest);
+    this->Bounds[block] =
+      isConstant ? 0.0F : this->Table.GetLargestDifference(range.Lowest, range.Highest);
+    this->IsWaiting[block] = isConstant ? 0 : 1;
+    if (isConstant)
+    {
+      std::fill_n(values, this->Levels, 0.0F);
+      this->HasValue[block] = 1;
+    }
+    const float guess = Typical * this->Bounds[block];
+    for (int level = 0; !isConstant && level < this->Levels; ++level)
+    {
+      const bool isKnown = this->HasValue[block] && values[level] > 0.0F;
+      values[level] = isKnown ? std::min(values[level], this->Bounds[block]) : guess;
+    }
+  }
+  this->Waiting.clear();
+  for (std::size_t block = 0; block < ranges.size(); ++block)
+  {
+    if (this->IsWaiting[block])
+    {
+      this->Waiting.push_back(static_cast<vtkTypeInt64>(block));
+    }
+  }
+  std::stable_sort(this->Waiting.begin(), this->Waiting.end(),
+    [this](vtkTypeInt64 a, vtkTypeInt64 b) { return this->Bounds[a] < this->Bounds[b]; });
+}
+
+std::string vtkFlatBlockDistortion::Compute(
+  vtkFlatBlockBuilder* builder, vtkTypeInt64 blocks, int threads, bool useCuda)
+{
+  const auto waiting = static_cast<vtkTypeInt64>(this->Waiting.size());
+  const vtkTypeInt64 count = std::min(blocks, waiting);
+  if (count <= 0)
+  {
+    return {};
+  }
+  std::vector<std::int64_t> slice(this->Waiting.end() - count, this->Waiting.end());
+  this->Waiting.resize(static_cast<std::size_t>(waiting - count));
+  std::sort(slice.begin(), slice.end()); // as they lie in memory
+  std::vector<float> values(slice.size() * this->Levels);
+  std::string problem =
+    builder->ComputeDistortion(slice, this->Levels, this->Table, threads, useCuda, values.data());
+  for (std::size_t i = 0; i < slice.size(); ++i)
+  {
+    const auto block = static_cast<std::size_t>(slice[i]);
+    std::copy_n(&values[i * this->Levels], this->Levels, &this->Values[block * this->Levels]);
+    this->HasValue[block] = 1;
+    this->IsWaiting[block] = 0;
+  }
+  this->BlocksComputed += count;
+  this->Modified();
+  return problem;
+}
+
+float vtkFlatBlockDistortion::GetValue(std::size_t block, int level) const
+{
+  return level < 1 ? 0.0F : this->Values[block * this->Levels + std::min(level, this->Levels) - 1];
+}
+
+void vtkFlatBlockDistortion::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Levels: " << this->Levels << "\n";
+  os << indent << "Waiting: " << this->Waiting.size() << "\n";
+}

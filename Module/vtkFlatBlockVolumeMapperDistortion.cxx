@@ -1,0 +1,84 @@
+#include "CudaDevice.h"
+#include "vtkFlatBlockVolumeMapperInternals.h"
+
+#include <algorithm>
+
+// Distortion in vtkFlatBlockVolumeMapper: when it is computed, by what, and what it tells.
+
+// By the device that answers, if one does: asked once a process.
+bool vtkFlatBlockVolumeMapper::UsesCuda()
+{
+  if (this->DistortionBackend == SERIAL || this->DistortionBackend == OPENMP ||
+      this->Internals->HasCudaFailed)
+  {
+    return false;
+  }
+  static const flatblock::CudaDevice device = flatblock::FindCudaDevice();
+  if (!device.Answers && this->DistortionBackend == CUDA)
+  {
+    this->Internals->HasCudaFailed = true;
+    vtkWarningMacro(<< "No CUDA device answers (" << device.Name
+                    << "); OpenMP computes distortions.");
+  }
+  return device.Answers;
+}
+
+void vtkFlatBlockVolumeMapper::UpdateDistortion(vtkTypeInt64 mostBlocks)
+{
+  vtkInternals& in = *this->Internals;
+  flatblock::StageTimer timer(in.Statistics.DistortionMilliseconds);
+  const flatblock::BrickSource& source = in.Builder->GetSource();
+  const bool everyInteger = source.GetEncoding().Format != flatblock::TexelFormat::Float32;
+  in.TransferFunction->UpdateClassified(in.Property, in.Builder->GetRange(), everyInteger);
+  const int levels =
+    std::clamp(this->NumberOfLevels - 1, 1, source.GetGrid().GetNumberOfLevels() - 1);
+  in.Distortion->SetTable(in.Builder, in.TransferFunction->GetClassifiedTable(),
+    in.TransferFunction->GetClassifiedTime(), levels);
+  const vtkTypeInt64 leftOut = in.Builder->GetNumberOfNonFiniteSamples();
+  if (leftOut > 0 && !in.HasWarnedOfSamples)
+  {
+    vtkWarningMacro(<< leftOut << " samples are not finite; distortions leave them out.");
+  }
+  in.HasWarnedOfSamples = leftOut > 0;
+  if (in.Distortion->IsComplete())
+  {
+    return;
+  }
+  const int threads = this->DistortionBackend == SERIAL ? 1 : this->NumberOfThreads;
+  const std::string problem =
+    in.Distortion->Compute(in.Builder, mostBlocks, threads, this->UsesCuda());
+  if (!problem.empty())
+  {
+    in.HasCudaFailed = true;
+    vtkWarningMacro(<< "CUDA failed (" << problem << "); OpenMP computes distortions.");
+  }
+}
+
+bool vtkFlatBlockVolumeMapper::GetDistortionComplete() const
+{
+  return this->Internals->IsDistortionCurrent;
+}
+
+double vtkFlatBlockVolumeMapper::GetTotalDistortion()
+{
+  vtkInternals& in = *this->Internals;
+  const auto& levels = in.Residency.GetLevels();
+  double total = 0.0;
+  if (!levels.empty())
+  {
+    this->UpdateDistortion(VTK_TYPE_INT64_MAX);
+  }
+  for (std::size_t block = 0; block < levels.size(); ++block)
+  {
+    total += in.Distortion->GetValue(block, levels[block]);
+  }
+  return total;
+}
+
+double vtkFlatBlockVolumeMapper::GetMeanDistortionOfUnrefinedBlocks()
+{
+  const auto& levels = this->Internals->Residency.GetLevels();
+  const auto unrefined =
+    std::count_if(levels.begin(), levels.end(), [](std::int8_t level) { return level > 0; });
+  return unrefined > 0 ? this->GetTotalDistortion() / static_cast<double>(unrefined) : 0.0;
+}

@@ -1,0 +1,256 @@
+// Levels chosen by how wrong the classified volume would look.
+#include "Rendering.h"
+#include "Volumes.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace flatblock::testing;
+
+namespace
+{
+// Half of it smooth, half of it fine ripples: near and far say nothing of where detail is.
+vtkSmartPointer<vtkImageData> HalfRipples()
+{
+  return MakeVolume({ 97, 97, 97 }, VTK_UNSIGNED_SHORT,
+    [](int x, int y, int z)
+    {
+      const double ripple = x > 48 ? 300.0 * std::sin(1.3 * x) * std::sin(1.1 * y) : 0.0;
+      return 1000.0 + 2.0 * (x + y + z) + ripple;
+    });
+}
+
+void ShowHalfRipples(Scene& scene, vtkTypeInt64 limit)
+{
+  scene.SetVolume(HalfRipples(), 0.5);
+  scene.SetOpacity({ { 900.0, 0.0 }, { 1400.0, 0.4 } });
+  scene.SetColor(
+    { { 800.0, 0.1, 0.2, 0.8 }, { 1200.0, 0.9, 0.9, 0.2 }, { 1600.0, 0.9, 0.1, 0.1 } });
+  scene.Property->SetScalarOpacityUnitDistance(5.0);
+  scene.Mapper->SetBlockSize(17);
+  scene.Mapper->SetMaxMemoryInBytes(limit);
+  scene.LookFrom(-60.0, 30.0, 1.2);
+}
+
+void EditAtRandom(Scene& scene, std::mt19937& random)
+{
+  const auto uniform = [&random](double from, double to)
+  { return std::uniform_real_distribution<double>(from, to)(random); };
+  switch (random() % 4)
+  {
+  case 0:
+    scene.SetOpacity({ { uniform(700.0, 1000.0), 0.0 }, { uniform(1100.0, 1700.0), 0.4 } });
+    break;
+  case 1:
+    scene.Property->GetScalarOpacity()->AddPoint(uniform(800.0, 1800.0), uniform(0.0, 0.6));
+    break;
+  case 2:
+    scene.Property->GetRGBTransferFunction()->AddRGBPoint(
+      uniform(800.0, 1800.0), uniform(0.0, 1.0), uniform(0.0, 1.0), uniform(0.0, 1.0));
+    break;
+  default: // a step
+    const double at = uniform(900.0, 1500.0);
+    scene.Property->GetScalarOpacity()->AddPoint(at, 0.1, 0.5, 1.0);
+    scene.Property->GetScalarOpacity()->AddPoint(at + 1e-3, 0.5);
+  }
+}
+
+void CopyFunctions(Scene& from, Scene& to)
+{
+  to.Property->GetScalarOpacity()->DeepCopy(from.Property->GetScalarOpacity());
+  to.Property->GetRGBTransferFunction()->DeepCopy(from.Property->GetRGBTransferFunction());
+}
+} // namespace
+
+TEST(Distortion, FindsWhereDetailIs)
+{
+  Scene scene;
+  ShowHalfRipples(scene, 256 << 20);
+  const auto full = scene.Draw();
+  EXPECT_EQ(scene.Mapper->GetTotalDistortion(), 0.0); // all blocks are at their finest level
+  scene.Mapper->SetMaxMemoryInBytes(288000 + scene.Mapper->GetUsedAtlasBytes() / 4);
+  const double byDistance = PSNR(scene.Draw(), full);
+  const double totalByDistance = scene.Mapper->GetTotalDistortion();
+  const double meanByDistance = scene.Mapper->GetMeanDistortionOfUnrefinedBlocks();
+  EXPECT_GT(meanByDistance, 0.0);
+  EXPECT_LT(meanByDistance, totalByDistance);
+  scene.Mapper->SetSelectionCriterionToDistortion();
+  const double byDistortion = PSNR(scene.Draw(), full);
+  EXPECT_TRUE(MatchesBaseline(scene.Window, "DistortionHalfRipples"));
+  EXPECT_LT(scene.Mapper->GetTotalDistortion(), 0.8 * totalByDistance);
+  scene.Mapper->SetSelectionCriterionToDistortionAndDistance();
+  const double byBoth = PSNR(scene.Draw(), full);
+  std::cout << "by distance " << byDistance << " dB, by distortion " << byDistortion
+            << " dB, by both " << byBoth << " dB\n";
+  EXPECT_GE(byDistortion, byDistance + 3.0);
+  EXPECT_GE(byBoth, byDistance + 3.0);
+}
+
+TEST(Distortion, BackendsAgreeToTheLastBit)
+{
+  Scene scene;
+  ShowHalfRipples(scene, 600000);
+  scene.Mapper->SetSelectionCriterionToDistortion();
+  scene.Mapper->SetDistortionBackendToSerial();
+  const auto serial = scene.Draw();
+  const double total = scene.Mapper->GetTotalDistortion();
+  EXPECT_GT(total, 0.0);
+  for (int threads : { 0, 1, 2, 5 })
+  {
+    Scene other;
+    ShowHalfRipples(other, 600000);
+    other.Mapper->SetSelectionCriterionToDistortion();
+    other.Mapper->SetDistortionBackendToOpenMP();
+    other.Mapper->SetNumberOfThreads(threads);
+    EXPECT_EQ(LargestDifference(other.Draw(), serial), 0.0) << threads;
+    EXPECT_EQ(other.Mapper->GetTotalDistortion(), total) << threads;
+  }
+}
+
+// One clear warning where there is no device, and what OpenMP finds in any case.
+TEST(Distortion, CudaIsReplacedWhereThereIsNone)
+{
+  Scene scene;
+  ShowHalfRipples(scene, 600000);
+  scene.Mapper->SetSelectionCriterionToDistortion();
+  const auto picture = scene.Draw();
+  const double total = scene.Mapper->GetTotalDistortion();
+  Scene other;
+  ShowHalfRipples(other, 600000);
+  other.Mapper->SetSelectionCriterionToDistortion();
+  other.Mapper->SetDistortionBackendToCUDA();
+  const auto messages = Listen(
+    [&]
+    {
+      other.Draw();
+      EXPECT_GE(PSNR(other.Draw(), picture), 60.0);
+    });
+  EXPECT_LE(messages.Warnings.size(), 1U);
+  EXPECT_TRUE(messages.Errors.empty());
+  EXPECT_NEAR(other.Mapper->GetTotalDistortion(), total, 1e-3 * total);
+}
+
+// A thousand edits, with interactive frames that leave some of the work, end where one edit does.
+TEST(Distortion, EditsEndLikeAFreshMapper)
+{
+  std::mt19937 random(31);
+  Scene edited;
+  ShowHalfRipples(edited, 600000);
+  edited.Window->SetSize(40, 40);
+  edited.Mapper->SetSelectionCriterionToDistortion();
+  edited.Mapper->SetDistortionBlocksPerFrame(20);
+  bool wasIncomplete = false;
+  for (int edit = 1; edit <= 1000; ++edit)
+  {
+    EditAtRandom(edited, random);
+    if (edit % 3 == 0)
+    {
+      edited.Window->SetDesiredUpdateRate(15.0);
+      edited.Window->Render();
+      wasIncomplete = wasIncomplete || !edited.Mapper->GetDistortionComplete();
+    }
+    if (edit % 100 == 0)
+    {
+      edited.Window->SetDesiredUpdateRate(0.0001);
+      const auto picture = edited.Draw();
+      EXPECT_TRUE(edited.Mapper->GetDistortionComplete());
+      Scene fresh;
+      ShowHalfRipples(fresh, 600000);
+      fresh.Window->SetSize(40, 40);
+      fresh.LookFrom(-60.0, 30.0, 1.2);
+      edited.LookFrom(-60.0, 30.0, 1.2);
+      fresh.Mapper->SetSelectionCriterionToDistortion();
+      CopyFunctions(edited, fresh);
+      EXPECT_EQ(LargestDifference(edited.Draw(), fresh.Draw()), 0.0) << edit;
+      EXPECT_EQ(edited.Mapper->GetTotalDistortion(), fresh.Mapper->GetTotalDistortion()) << edit;
+      ShowHalfRipples(edited, 600000);
+    }
+  }
+  EXPECT_TRUE(wasIncomplete);
+}
+
+TEST(Distortion, InteractiveFramesFinishInTheEnd)
+{
+  Scene scene;
+  ShowHalfRipples(scene, 600000);
+  scene.Mapper->SetSelectionCriterionToDistortion();
+  scene.Mapper->SetDistortionBlocksPerFrame(30);
+  scene.Window->SetDesiredUpdateRate(15.0);
+  EXPECT_TRUE(ShowsSomething(scene.Draw()));
+  EXPECT_FALSE(scene.Mapper->GetDistortionComplete());
+  EXPECT_FALSE(scene.Mapper->GetConverged());
+  EXPECT_GT(scene.Mapper->RenderUntilConverged(scene.Window), 3);
+  EXPECT_TRUE(scene.Mapper->GetDistortionComplete());
+  Scene still;
+  ShowHalfRipples(still, 600000);
+  still.Mapper->SetSelectionCriterionToDistortion();
+  const auto picture = still.Draw();
+  scene.Window->SetDesiredUpdateRate(0.0001);
+  EXPECT_EQ(LargestDifference(scene.Draw(), picture), 0.0);
+}
+
+TEST(Distortion, NothingVisibleIsNothingWrong)
+{
+  Scene scene;
+  ShowHalfRipples(scene, 600000);
+  scene.Mapper->SetSelectionCriterionToDistortion();
+  EXPECT_EQ(scene.Mapper->GetTotalDistortion(), 0.0);
+  scene.SetOpacity({ { 0.0, 0.0 }, { 5000.0, 0.0 } });
+  EXPECT_FALSE(ShowsSomething(scene.Draw()));
+  EXPECT_EQ(scene.Mapper->GetTotalDistortion(), 0.0);
+  EXPECT_EQ(scene.Mapper->GetMeanDistortionOfUnrefinedBlocks(), 0.0);
+}
+
+TEST(Distortion, SamplesThatAreNotFiniteAreCountedOnce)
+{
+  Scene scene;
+  scene.SetVolume(MakeVolume({ 49, 49, 49 }, VTK_FLOAT,
+                    [](int x, int y, int z)
+                    {
+                      return x == 20 && y < 3 && z == 30 ? std::numeric_limits<double>::quiet_NaN()
+                                                         : x + 10.0 * std::sin(y) + z;
+                    }),
+    0.5);
+  scene.SetRamp(0.0, 100.0, 0.1);
+  scene.Mapper->SetBlockSize(17);
+  scene.Mapper->SetMaxMemoryInBytes(400000);
+  scene.Mapper->SetSelectionCriterionToDistortion();
+  scene.LookFrom(30.0, 30.0);
+  const auto messages = Listen(
+    [&]
+    {
+      scene.Draw();
+      scene.SetRamp(0.0, 90.0, 0.2);
+      scene.Draw();
+    });
+  ASSERT_EQ(messages.Warnings.size(), 1U);
+  EXPECT_NE(messages.Warnings[0].find("3 samples are not finite"), std::string::npos);
+  EXPECT_TRUE(std::isfinite(scene.Mapper->GetTotalDistortion()));
+}
+
+TEST(Distortion, NodesThatAreNotNumbersAreRefused)
+{
+  Scene scene;
+  ShowHalfRipples(scene, 600000);
+  const auto good = scene.Draw();
+  vtkPiecewiseFunction* opacity = scene.Property->GetScalarOpacity();
+  double node[4] = { 1400.0, std::numeric_limits<double>::quiet_NaN(), 0.5, 0.0 };
+  opacity->SetNodeValue(1, node);
+  const auto messages = Listen(
+    [&]
+    {
+      scene.Draw();
+      scene.Draw();
+    });
+  ASSERT_EQ(messages.Errors.size(), 1U);
+  EXPECT_NE(messages.Errors[0].find("Node 1 of the opacity function"), std::string::npos);
+  node[1] = 0.4;
+  opacity->SetNodeValue(1, node);
+  EXPECT_EQ(LargestDifference(scene.Draw(), good), 0.0);
+}
