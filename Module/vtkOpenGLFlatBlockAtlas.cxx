@@ -136,6 +136,11 @@ bool vtkOpenGLFlatBlockAtlas::Allocate(
     ClearGLErrors();
     return false;
   }
+  // What lies beside a brick has no weight, but times NaN that is not nothing.
+  if (format == flatblock::TexelFormat::Float32 && GLEW_ARB_clear_texture)
+  {
+    glClearTexImage(this->Bricks->GetHandle(), 0, GL_RED, gl.Type, nullptr);
+  }
   this->BrickBytes.Set(
     static_cast<std::int64_t>(flatblock::BytesPerTexel(format)) * size[0] * size[1] * size[2]);
   return true;

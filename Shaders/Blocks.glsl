@@ -22,6 +22,8 @@ struct Brick
   vec3 origin; // first texel
   vec3 first;  // first sample
   float scale; // texels a sample
+  vec3 low;    // first and last texel, in the atlas
+  vec3 high;
 };
 
 ivec3 blocksAnAxis()
@@ -67,6 +69,8 @@ Brick fetchBrick(ivec3 block)
   brick.origin = vec3(entry.xyz);
   brick.first = vec3(block * in_CellsPerBlock);
   brick.scale = exp2(-float(entry.w));
+  brick.low = (brick.origin + 0.5) * in_AtlasTexel;
+  brick.high = (brick.origin + float(in_CellsPerBlock) * brick.scale + 0.5) * in_AtlasTexel;
   return brick;
 }
 

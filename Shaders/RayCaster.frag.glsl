@@ -41,7 +41,8 @@ vec4 march(Ray ray)
       vec3 advance = ray.direction * brick.scale * in_AtlasTexel;
       for (; s < end && sum.a < in_EnoughOpacity; s += 1.0)
       {
-        sum += (1.0 - sum.a) * classify(position + s * advance);
+        vec3 at = clamp(position + s * advance, brick.low, brick.high);
+        sum += (1.0 - sum.a) * classify(at);
       }
     }
     s = max(s, end);
