@@ -53,32 +53,58 @@ ClassifiedTable::ClassifiedTable(double lowest, double highest, std::vector<Clas
 {
   const double span = highest - lowest;
   this->Scale = span > 0.0 ? static_cast<double>(this->Colors.size() - 1) / span : 0.0;
-  std::vector<Box> boxes;
   for (std::size_t i = 0; i < this->Colors.size(); ++i)
   {
     const bool isSame = i == 0 || AreEqual(this->Colors[i], this->Colors[i - 1]);
     this->ChangesBefore[i + 1] = this->ChangesBefore[i] + (isSame ? 0 : 1);
-    boxes.push_back({ this->Colors[i], this->Colors[i] });
   }
-  for (std::size_t run = 1; run < this->Colors.size(); run *= 2)
+  this->MakeBoxes();
+}
+
+void ClassifiedTable::MakeBoxes()
+{
+  constexpr std::size_t MostBoxes = 4096;
+  const std::size_t size = this->Colors.size();
+  this->EntriesPerBox = (size - 1) / MostBoxes + 1;
+  std::vector<Box> boxes;
+  for (std::size_t first = 0; first < size; first += this->EntriesPerBox)
+  {
+    Box box = { this->Colors[first], this->Colors[first] };
+    for (std::size_t i = first; i < std::min(first + this->EntriesPerBox, size); ++i)
+    {
+      Extend(box, { this->Colors[i], this->Colors[i] });
+    }
+    boxes.push_back(box);
+  }
+  for (std::size_t run = 1; run < boxes.size(); run *= 2)
   {
     this->Boxes.push_back(boxes);
     for (std::size_t i = 0; i + run < boxes.size(); ++i)
     {
-      for (int c = 0; c < 4; ++c)
-      {
-        boxes[i].Low[c] = std::min(boxes[i].Low[c], boxes[i + run].Low[c]);
-        boxes[i].High[c] = std::max(boxes[i].High[c], boxes[i + run].High[c]);
-      }
+      Extend(boxes[i], boxes[i + run]);
     }
   }
   this->Boxes.push_back(std::move(boxes));
+}
+
+void ClassifiedTable::Extend(Box& box, const Box& other)
+{
+  for (int c = 0; c < 4; ++c)
+  {
+    box.Low[c] = std::min(box.Low[c], other.Low[c]);
+    box.High[c] = std::max(box.High[c], other.High[c]);
+  }
 }
 
 double ClassifiedTable::GetPosition(double value) const
 {
   const double position = (value - this->Lowest) * this->Scale;
   return position > 0.0 ? std::min(position, static_cast<double>(this->Colors.size() - 1)) : 0.0;
+}
+
+double ClassifiedTable::GetValue(double position) const
+{
+  return this->Scale > 0.0 ? this->Lowest + position / this->Scale : this->Lowest;
 }
 
 bool ClassifiedTable::IsConstant(double lowest, double highest) const
@@ -88,26 +114,43 @@ bool ClassifiedTable::IsConstant(double lowest, double highest) const
   return lowest > highest || this->ChangesBefore[last + 1] == this->ChangesBefore[first + 1];
 }
 
+// Those of two runs that overlap and cover the interval.
+std::pair<const ClassifiedTable::Box*, const ClassifiedTable::Box*> ClassifiedTable::GetBoxes(
+  double lowest, double highest) const
+{
+  const std::size_t first =
+    static_cast<std::size_t>(this->GetPosition(lowest)) / this->EntriesPerBox;
+  const std::size_t last =
+    static_cast<std::size_t>(std::ceil(this->GetPosition(highest))) / this->EntriesPerBox;
+  std::size_t level = 0;
+  while ((std::size_t(2) << level) <= last - first + 1)
+  {
+    ++level;
+  }
+  return { &this->Boxes[level][first], &this->Boxes[level][last + 1 - (std::size_t(1) << level)] };
+}
+
+float ClassifiedTable::GetLeastOpacity(double lowest, double highest) const
+{
+  if (lowest > highest)
+  {
+    return 0.0F;
+  }
+  const auto [a, b] = this->GetBoxes(lowest, highest);
+  return 0.01F * std::min(a->Low[3], b->Low[3]);
+}
+
 float ClassifiedTable::GetLargestDifference(double lowest, double highest) const
 {
   if (lowest > highest)
   {
     return 0.0F;
   }
-  const auto first = static_cast<std::size_t>(this->GetPosition(lowest));
-  const auto last = static_cast<std::size_t>(std::ceil(this->GetPosition(highest)));
-  std::size_t level = 0;
-  while ((std::size_t(2) << level) <= last - first + 1)
-  {
-    ++level;
-  }
-  // Two runs that overlap and cover all of it.
-  const Box& a = this->Boxes[level][first];
-  const Box& b = this->Boxes[level][last + 1 - (std::size_t(1) << level)];
+  const auto [a, b] = this->GetBoxes(lowest, highest);
   float squares = 0.0F;
   for (int c = 0; c < 4; ++c)
   {
-    const float apart = std::max(a.High[c], b.High[c]) - std::min(a.Low[c], b.Low[c]);
+    const float apart = std::max(a->High[c], b->High[c]) - std::min(a->Low[c], b->Low[c]);
     squares += apart * apart;
   }
   return std::sqrt(squares);

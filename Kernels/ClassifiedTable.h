@@ -3,6 +3,7 @@
 
 #include "DistortionArithmetic.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -31,8 +32,14 @@ public:
   /// Of a value, in entries. NaN counts as the lowest.
   double GetPosition(double value) const;
 
+  /// Of a position, also beyond the ends.
+  double GetValue(double position) const;
+
   /// Whether all values in [lowest, highest] have the same colour. O(1).
   bool IsConstant(double lowest, double highest) const;
+
+  /// The smallest opacity of a value in [lowest, highest], from 0 to 1. O(log n).
+  float GetLeastOpacity(double lowest, double highest) const;
 
   /// The largest distance between the colours of two values in [lowest, highest], or somewhat more:
   /// the diagonal of the box around runs of entries. O(log n).
@@ -45,12 +52,17 @@ private:
     ClassifiedColor High;
   };
 
+  static void Extend(Box& box, const Box& other);
+  void MakeBoxes();
+  std::pair<const Box*, const Box*> GetBoxes(double lowest, double highest) const;
+
   double Lowest = 0.0;
   double Highest = 0.0;
   double Scale = 0.0;
   std::vector<ClassifiedColor> Colors;
   std::vector<std::int32_t> ChangesBefore; ///< entries that differ from the one before them
-  std::vector<std::vector<Box>> Boxes;     ///< of runs of 2^i entries from each one on
+  std::size_t EntriesPerBox = 1;
+  std::vector<std::vector<Box>> Boxes; ///< around runs of 2^i boxes from each one on
 };
 
 /// The interval of values, as [first, second], outside of which both tables have the same colours;

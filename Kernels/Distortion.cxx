@@ -13,6 +13,67 @@
 
 namespace flatblock
 {
+void BlockSummary::Set(int first, int last, const std::vector<std::uint32_t>& counts)
+{
+  constexpr std::uint32_t MostCount = (1U << 24) - 1;
+  constexpr std::size_t PairsOfBins = Bins * Bins;
+  this->First = first;
+  this->Last = last;
+  this->Pairs.clear();
+  this->Ends.clear();
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    if (counts[i] > 0)
+    {
+      const auto pair = static_cast<std::uint32_t>(i % PairsOfBins);
+      this->Pairs.push_back(std::min(counts[i], MostCount) << 8 | pair);
+    }
+    if (i % PairsOfBins == PairsOfBins - 1)
+    {
+      this->Ends.push_back(static_cast<std::uint16_t>(this->Pairs.size()));
+    }
+  }
+  this->Pairs.shrink_to_fit();
+}
+
+void BlockSummary::Estimate(const ClassifiedTable& table, float* distortion, float* bounds) const
+{
+  std::array<ClassifiedColor, Bins> colors;
+  std::array<float, Bins> widths; // how far a bin's colours may be from the one that stands for it
+  const int size = this->Last - this->First + 1;
+  for (int bin = 0; bin < Bins; ++bin)
+  {
+    const int first = this->First + (bin * size + Bins - 1) / Bins;
+    const int last = this->First + ((bin + 1) * size + Bins - 1) / Bins - 1;
+    const int middle = std::clamp((first + last) / 2, this->First, this->Last);
+    colors[bin] = table.GetColors()[static_cast<std::size_t>(middle)];
+    // Positions are rounded to their nearest entry.
+    widths[bin] =
+      table.GetLargestDifference(table.GetValue(first - 0.5), table.GetValue(last + 0.5));
+  }
+  std::size_t i = 0;
+  for (std::size_t level = 0; level < this->Ends.size(); ++level)
+  {
+    double sum = 0.0;
+    double boundSum = 0.0;
+    double count = 0.0;
+    for (; i < this->Ends[level]; ++i)
+    {
+      const std::uint32_t fine = (this->Pairs[i] & 255U) / Bins;
+      const std::uint32_t coarse = this->Pairs[i] % Bins;
+      const auto samples = static_cast<double>(this->Pairs[i] >> 8);
+      const ClassifiedColor apart = colors[fine] - colors[coarse];
+      const ClassifiedColor squares = apart * apart;
+      sum += samples * ((double(squares[0]) + squares[1]) + (double(squares[2]) + squares[3]));
+      const double width = double(widths[fine]) + widths[coarse];
+      boundSum += samples * width * width;
+      count += samples;
+    }
+    distortion[level] = static_cast<float>(std::sqrt(sum / std::max(count, 1.0)));
+    bounds[level] = static_cast<float>(std::sqrt(boundSum / std::max(count, 1.0)));
+  }
+}
+
 namespace
 {
 // Positions in the table are exact integers for these types.
@@ -140,10 +201,16 @@ public:
   }
 
   // Samples that are not finite.
-  std::int64_t Compute(std::int64_t block, float* distortion)
+  std::int64_t Compute(std::int64_t block, float* distortion, BlockSummary* summary)
   {
     const auto levels = this->Exact.size();
     this->FindBox(block);
+    this->Counts.clear();
+    if (summary)
+    {
+      this->FindRange();
+      this->Counts.resize(levels * PairsOfBins, 0);
+    }
     for (std::size_t l = 0; l < levels; ++l)
     {
       this->Exact[l] ? this->ReadLattice(*this->Exact[l]) : this->ReadLattice(*this->Real[l]);
@@ -163,8 +230,16 @@ public:
         {
           this->Sums[l] +=
             this->Exact[l] ? this->AddRow(*this->Exact[l], y) : this->AddRow(*this->Real[l], y);
+          if (summary)
+          {
+            this->CountRow(&this->Counts[l * PairsOfBins]);
+          }
         }
       }
+    }
+    if (summary)
+    {
+      summary->Set(this->RangeFirst, this->RangeFirst + this->RangeSize - 1, this->Counts);
     }
     for (std::size_t l = 0; l < levels; ++l)
     {
@@ -313,10 +388,52 @@ private:
     }
   }
 
+  // Of the nearest entries of all samples, and so of all that is interpolated between them.
+  void FindRange()
+  {
+    std::int32_t lowest = std::numeric_limits<std::int32_t>::max();
+    std::int32_t highest = 0;
+    for (int z = 0; z < this->Count[2]; ++z)
+    {
+      for (int y = 0; y < this->Count[1]; ++y)
+      {
+        this->ReadFineRow(y, z);
+        const auto& row = HasIntegerPositions<T> ? this->Fine : this->FinePositions.Nearest;
+        for (int x = 0; x < this->Count[0]; ++x)
+        {
+          lowest = std::min(lowest, row[x]);
+          highest = std::max(highest, row[x]);
+        }
+      }
+    }
+    this->RangeFirst = lowest;
+    this->RangeSize = highest - lowest + 1;
+  }
+
+  int GetBin(std::int32_t entry) const
+  {
+    return (entry - this->RangeFirst) * BlockSummary::Bins / this->RangeSize;
+  }
+
+  void CountRow(std::uint32_t* counts) const
+  {
+    const auto& fine = HasIntegerPositions<T> ? this->Fine : this->FinePositions.Nearest;
+    for (int x = 0; x < this->Count[0]; ++x)
+    {
+      counts[this->GetBin(fine[x]) * BlockSummary::Bins + this->GetBin(this->Coarse.Nearest[x])] +=
+        this->IsFinite[x];
+    }
+  }
+
+  static constexpr std::size_t PairsOfBins = BlockSummary::Bins * BlockSummary::Bins;
+
   const T* Samples;
   const BlockedVolume& Volume;
   const ClassifiedTable& Table;
   std::vector<ClassifiedColor> Colors;
+  std::vector<std::uint32_t> Counts; // of pairs of bins, by level
+  std::int32_t RangeFirst = 0;
+  std::int32_t RangeSize = 1;
   std::int32_t Lowest = 0;
   std::vector<std::unique_ptr<LevelInterpolator<std::int32_t>>> Exact;
   std::vector<std::unique_ptr<LevelInterpolator<double>>> Real;
@@ -335,7 +452,7 @@ private:
 template <typename T>
 std::int64_t ComputeDistortion(const T* samples, const BlockedVolume& volume,
   const std::vector<std::int64_t>& blocks, int levels, const ClassifiedTable& table,
-  [[maybe_unused]] int threads, float* distortion)
+  [[maybe_unused]] int threads, float* distortion, BlockSummary* summaries)
 {
   const auto count = static_cast<std::int64_t>(blocks.size());
   std::int64_t left = 0;
@@ -348,7 +465,8 @@ std::int64_t ComputeDistortion(const T* samples, const BlockedVolume& volume,
 #pragma omp for schedule(dynamic, 16)
     for (std::int64_t i = 0; i < count; ++i)
     {
-      left += kernel.Compute(blocks[i], distortion + i * levels);
+      left +=
+        kernel.Compute(blocks[i], distortion + i * levels, summaries ? summaries + i : nullptr);
     }
   }
   return left;
@@ -356,7 +474,7 @@ std::int64_t ComputeDistortion(const T* samples, const BlockedVolume& volume,
 
 #define FLATBLOCK_INSTANTIATE(T)                                                                   \
   template std::int64_t ComputeDistortion(const T*, const BlockedVolume&,                          \
-    const std::vector<std::int64_t>&, int, const ClassifiedTable&, int, float*)
+    const std::vector<std::int64_t>&, int, const ClassifiedTable&, int, float*, BlockSummary*)
 FLATBLOCK_INSTANTIATE(char);
 FLATBLOCK_INSTANTIATE(signed char);
 FLATBLOCK_INSTANTIATE(unsigned char);

@@ -98,7 +98,8 @@ FLATBLOCK_HOST_DEVICE inline TablePosition ToTablePosition(std::int32_t numerato
 /// A real position, at least 0.
 FLATBLOCK_HOST_DEVICE inline TablePosition ToTablePosition(double position)
 {
-  const auto nearest = static_cast<std::int32_t>(position + 0.5);
+  const auto below = static_cast<std::int32_t>(position);
+  const std::int32_t nearest = below + (position - below >= 0.5 ? 1 : 0);
   const double apart = position - nearest;
   return { nearest, nearest + (apart < 0.0 ? -1 : 1),
     static_cast<float>(apart < 0.0 ? -apart : apart) };

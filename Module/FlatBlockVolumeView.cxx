@@ -57,6 +57,26 @@ void AddClippingPlanes(vtkVolumeMapper* mapper, vtkMatrix4x4* sampleToWorld, Vie
   }
 }
 
+std::array<double, 3> GetSpacing(vtkMatrix4x4* matrix)
+{
+  std::array<double, 3> spacing;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing[axis] = std::hypot(
+      matrix->GetElement(0, axis), matrix->GetElement(1, axis), matrix->GetElement(2, axis));
+  }
+  return spacing;
+}
+
+// A point where w is 1, a direction where it is 0.
+std::array<double, 3> Transform(vtkMatrix4x4* matrix, const double vector[3], double w)
+{
+  const double from[4] = { vector[0], vector[1], vector[2], w };
+  double to[4];
+  matrix->MultiplyPoint(from, to);
+  return { to[0], to[1], to[2] };
+}
+
 CroppingRegions GetCropping(vtkVolumeMapper* mapper, vtkMatrix4x4* sampleToDataSet)
 {
   CroppingRegions cropping;
@@ -80,17 +100,15 @@ VolumeView GetVolumeView(vtkRenderer* renderer, vtkVolume* volume, vtkVolumeMapp
   VolumeView view;
   vtkNew<vtkMatrix4x4> sampleToWorld;
   vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), input.SampleToDataSet, sampleToWorld);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    view.Spacing[axis] = std::hypot(sampleToWorld->GetElement(0, axis),
-      sampleToWorld->GetElement(1, axis), sampleToWorld->GetElement(2, axis));
-  }
+  view.Spacing = GetSpacing(sampleToWorld);
+  view.DataSetSpacing = GetSpacing(input.SampleToDataSet);
   vtkNew<vtkMatrix4x4> worldToSample;
   vtkMatrix4x4::Invert(sampleToWorld, worldToSample);
-  const double world[4] = { pointOfInterest[0], pointOfInterest[1], pointOfInterest[2], 1.0 };
-  double samples[4];
-  worldToSample->MultiplyPoint(world, samples);
-  std::copy(samples, samples + 3, view.PointOfInterest.begin());
+  vtkCamera* camera = renderer->GetActiveCamera();
+  view.PointOfInterest = Transform(worldToSample, pointOfInterest, 1.0);
+  view.Camera.IsParallel = camera->GetParallelProjection() != 0;
+  view.Camera.Eye = Transform(worldToSample, camera->GetPosition(), 1.0);
+  view.Camera.Sight = Transform(worldToSample, camera->GetDirectionOfProjection(), 0.0);
   AddViewPlanes(renderer, sampleToWorld, view.Region);
   AddClippingPlanes(mapper, sampleToWorld, view.Region);
   if (mapper->GetCropping())

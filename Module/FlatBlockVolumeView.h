@@ -1,6 +1,7 @@
 /// What is seen of a volume, and from where, in the terms of its samples.
 #pragma once
 
+#include "BlockVisibility.h"
 #include "ViewRegion.h"
 
 #include <array>
@@ -17,7 +18,9 @@ struct VolumeView
 {
   std::array<double, 3> PointOfInterest = {}; ///< in samples
   std::array<double, 3> Spacing = {};         ///< world units of a sample's spacing
+  std::array<double, 3> DataSetSpacing = {};  ///< the same in the data set's unit of length
   ViewRegion Region;
+  Viewpoint Camera;
 };
 
 /// From the renderer's camera, and the mapper's clipping planes and cropping.

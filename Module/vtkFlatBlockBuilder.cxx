@@ -195,21 +195,36 @@ void vtkFlatBlockBuilder::Build(const flatblock::BlockGrid& grid, const T* sampl
 }
 
 std::string vtkFlatBlockBuilder::ComputeDistortion(const std::vector<std::int64_t>& blocks,
-  int levels, const flatblock::ClassifiedTable& table, int threads, bool useCuda, float* distortion)
+  int levels, const flatblock::ClassifiedTable& table, int threads, bool useCuda, float* distortion,
+  flatblock::BlockSummary* summaries)
+{
+  std::string problem;
+  switch (this->Scalars->GetDataType())
+  {
+    vtkTemplateMacro(problem = this->ComputeDistortionOf(
+                       static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0)), blocks, levels,
+                       table, threads, useCuda && !summaries, distortion, summaries));
+  }
+  return problem;
+}
+
+template <typename T>
+std::string vtkFlatBlockBuilder::ComputeDistortionOf(const T* samples,
+  const std::vector<std::int64_t>& blocks, int levels, const flatblock::ClassifiedTable& table,
+  int threads, bool useCuda, float* distortion, flatblock::BlockSummary* summaries)
 {
   const flatblock::BlockGrid& grid = this->Source->GetGrid();
   const flatblock::BlockedVolume volume = { grid.GetSamples(), grid.GetBlocks(),
     grid.GetCellsPerBlock() };
   std::string problem;
-  switch (this->Scalars->GetDataType())
+  if (useCuda)
   {
-    vtkTemplateMacro(
-      const auto* samples = static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0));
-      if (useCuda) {
-        problem = this->Cuda.Compute(samples, volume, blocks, levels, table, distortion);
-      } if (!useCuda || !problem.empty()) {
-        flatblock::ComputeDistortion(samples, volume, blocks, levels, table, threads, distortion);
-      });
+    problem = this->Cuda.Compute(samples, volume, blocks, levels, table, distortion);
+  }
+  if (!useCuda || !problem.empty())
+  {
+    flatblock::ComputeDistortion(
+      samples, volume, blocks, levels, table, threads, distortion, summaries);
   }
   return problem;
 }

@@ -56,10 +56,12 @@ public:
    * How wrong some blocks look at the levels 1 to `levels`, as Distortion.h has it: `levels` values
    * for each of the blocks. By all threads where `threads` is 0.
    * @param useCuda  where that fails, the threads do it
+   * @param summaries  one for each of the blocks, or none; the threads make them
    * @return empty, or why CUDA failed
    */
   std::string ComputeDistortion(const std::vector<std::int64_t>& blocks, int levels,
-    const flatblock::ClassifiedTable& table, int threads, bool useCuda, float* distortion);
+    const flatblock::ClassifiedTable& table, int threads, bool useCuda, float* distortion,
+    flatblock::BlockSummary* summaries);
 
 protected:
   vtkFlatBlockBuilder() = default;
@@ -69,6 +71,10 @@ private:
   vtkFlatBlockBuilder(const vtkFlatBlockBuilder&) = delete;
   void operator=(const vtkFlatBlockBuilder&) = delete;
 
+  template <typename T>
+  std::string ComputeDistortionOf(const T* samples, const std::vector<std::int64_t>& blocks,
+    int levels, const flatblock::ClassifiedTable& table, int threads, bool useCuda,
+    float* distortion, flatblock::BlockSummary* summaries);
   template <typename T>
   void Build(const flatblock::BlockGrid& grid, const T* samples);
 

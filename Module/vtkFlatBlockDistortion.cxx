@@ -6,13 +6,17 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 vtkStandardNewMacro(vtkFlatBlockDistortion);
 
-void vtkFlatBlockDistortion::StartAnew(vtkFlatBlockBuilder* builder, int levels)
+void vtkFlatBlockDistortion::StartAnew(vtkFlatBlockBuilder* builder, int levels, bool summarize)
 {
   const std::size_t blocks = builder->GetBlockRanges().size();
   this->Levels = levels;
+  this->Summarizes = summarize;
+  this->Summaries.clear();
+  this->Summaries.resize(summarize ? blocks : 0);
   this->Values.assign(blocks * levels, 0.0F);
   this->Bounds.assign(blocks, 0.0F);
   this->HasValue.assign(blocks, 0);
@@ -20,9 +24,10 @@ void vtkFlatBlockDistortion::StartAnew(vtkFlatBlockBuilder* builder, int levels)
 }
 
 void vtkFlatBlockDistortion::SetTable(vtkFlatBlockBuilder* builder,
-  const flatblock::ClassifiedTable& table, vtkMTimeType tableTime, int levels)
+  const flatblock::ClassifiedTable& table, vtkMTimeType tableTime, int levels, bool summarize)
 {
-  const bool isNew = this->BuilderTime != builder->GetMTime() || this->Levels != levels;
+  const bool isNew = this->BuilderTime != builder->GetMTime() || this->Levels != levels ||
+                     this->Summarizes != summarize;
   if (!isNew && this->TableTime == tableTime)
   {
     return;
@@ -31,7 +36,7 @@ void vtkFlatBlockDistortion::SetTable(vtkFlatBlockBuilder* builder,
   std::pair<double, double> changed = { -Infinity, Infinity };
   if (isNew)
   {
-    this->StartAnew(builder, levels);
+    this->StartAnew(builder, levels, summarize);
   }
   else
   {
@@ -69,6 +74,12 @@ void vtkFlatBlockDistortion::FindWaiting(
       std::fill_n(values, this->Levels, 0.0F);
       this->HasValue[block] = 1;
     }
+    if (!isConstant && this->Summarizes && this->Summaries[block].IsSet())
+    {
+      this->Estimate(block);
+      this->IsWaiting[block] = 0;
+      continue;
+    }
     const float guess = Typical * this->Bounds[block];
     for (int level = 0; !isConstant && level < this->Levels; ++level)
     {
@@ -101,18 +112,43 @@ std::string vtkFlatBlockDistortion::Compute(
   this->Waiting.resize(static_cast<std::size_t>(waiting - count));
   std::sort(slice.begin(), slice.end()); // as they lie in memory
   std::vector<float> values(slice.size() * this->Levels);
-  std::string problem =
-    builder->ComputeDistortion(slice, this->Levels, this->Table, threads, useCuda, values.data());
+  std::vector<flatblock::BlockSummary> summaries(this->Summarizes ? slice.size() : 0);
+  std::string problem = builder->ComputeDistortion(slice, this->Levels, this->Table, threads,
+    useCuda, values.data(), this->Summarizes ? summaries.data() : nullptr);
   for (std::size_t i = 0; i < slice.size(); ++i)
   {
     const auto block = static_cast<std::size_t>(slice[i]);
-    std::copy_n(&values[i * this->Levels], this->Levels, &this->Values[block * this->Levels]);
+    if (this->Summarizes)
+    {
+      this->Summaries[block] = std::move(summaries[i]);
+      this->Estimate(block); // not the exact value: it would not outlast the next edit
+    }
+    else
+    {
+      std::copy_n(&values[i * this->Levels], this->Levels, &this->Values[block * this->Levels]);
+    }
     this->HasValue[block] = 1;
     this->IsWaiting[block] = 0;
   }
   this->BlocksComputed += count;
   this->Modified();
   return problem;
+}
+
+void vtkFlatBlockDistortion::Estimate(std::size_t block)
+{
+  std::vector<float> bounds(this->Levels);
+  this->Summaries[block].Estimate(this->Table, &this->Values[block * this->Levels], bounds.data());
+}
+
+vtkTypeInt64 vtkFlatBlockDistortion::GetSummaryBytes() const
+{
+  vtkTypeInt64 bytes = 0;
+  for (const flatblock::BlockSummary& summary : this->Summaries)
+  {
+    bytes += static_cast<vtkTypeInt64>(sizeof(summary) + summary.GetBytes());
+  }
+  return bytes;
 }
 
 float vtkFlatBlockDistortion::GetValue(std::size_t block, int level) const

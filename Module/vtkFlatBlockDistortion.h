@@ -10,7 +10,7 @@
 #ifndef vtkFlatBlockDistortion_h
 #define vtkFlatBlockDistortion_h
 
-#include "ClassifiedTable.h"
+#include "Distortion.h"
 #include "RefinementOrder.h"
 #include "vtkObject.h"
 
@@ -31,9 +31,11 @@ public:
    * Takes over a table, and finds out what has to be computed.
    * @param tableTime  when it was built
    * @param levels     how many levels from 1 on have a value, at least 1
+   * @param summarize  whether each block is looked at once, and all values are estimates from what
+   *                   was kept of it then
    */
   void SetTable(vtkFlatBlockBuilder* builder, const flatblock::ClassifiedTable& table,
-    vtkMTimeType tableTime, int levels);
+    vtkMTimeType tableTime, int levels, bool summarize);
 
   /**
    * Computes up to so many blocks that wait, by all threads where `threads` is 0.
@@ -61,6 +63,11 @@ public:
   float GetValue(std::size_t block, int level) const;
 
   /**
+   * Bytes of what is kept of the blocks.
+   */
+  vtkTypeInt64 GetSummaryBytes() const;
+
+  /**
    * Blocks computed so far.
    */
   vtkTypeInt64 GetNumberOfBlocksComputed() const { return this->BlocksComputed; }
@@ -73,18 +80,21 @@ private:
   vtkFlatBlockDistortion(const vtkFlatBlockDistortion&) = delete;
   void operator=(const vtkFlatBlockDistortion&) = delete;
 
-  void StartAnew(vtkFlatBlockBuilder* builder, int levels);
+  void StartAnew(vtkFlatBlockBuilder* builder, int levels, bool summarize);
+  void Estimate(std::size_t block);
   void FindWaiting(vtkFlatBlockBuilder* builder, const std::pair<double, double>& changed);
 
   flatblock::ClassifiedTable Table;
-  std::vector<float> Values;           // by block and level
-  std::vector<float> Bounds;           // what a block could contribute at most
+  std::vector<float> Values;                      // by block and level
+  std::vector<flatblock::BlockSummary> Summaries; // of each block, or none
+  std::vector<float> Bounds;                      // what a block could contribute at most
   std::vector<std::uint8_t> HasValue;  // by block: an exact value, of this table or an older one
   std::vector<vtkTypeInt64> Waiting;   // the one that could be most wrong at the end
   std::vector<std::uint8_t> IsWaiting; // by block
   vtkMTimeType BuilderTime = 0;
   vtkMTimeType TableTime = 0;
   int Levels = 1;
+  bool Summarizes = false;
   vtkTypeInt64 BlocksComputed = 0;
 };
 

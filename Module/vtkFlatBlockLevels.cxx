@@ -67,7 +67,8 @@ bool vtkFlatBlockLevels::UpdateOrder(const flatblock::BlockGrid& grid, const Blo
     (usesDistance &&
       (view.PointOfInterest != this->View.PointOfInterest || view.Spacing != this->View.Spacing)) ||
     (usesDistortion && (blocks.DistortionTime != this->Ordered.DistortionTime ||
-                         blocks.Distortion.PerByte != this->Ordered.Distortion.PerByte));
+                         blocks.Distortion.PerByte != this->Ordered.Distortion.PerByte)) ||
+    blocks.WeightsTime != this->Ordered.WeightsTime;
   if (!isNew)
   {
     return false;
@@ -75,7 +76,14 @@ bool vtkFlatBlockLevels::UpdateOrder(const flatblock::BlockGrid& grid, const Blo
   switch (criterion)
   {
   case Criterion::Distance:
-    this->Order.SetToDistance(grid, this->Ranks, view.PointOfInterest, view.Spacing);
+    if (!blocks.Distortion.Weights)
+    {
+      this->Order.SetToDistance(grid, this->Ranks, view.PointOfInterest, view.Spacing);
+      break;
+    }
+    this->Order.SetToDistortionAndDistance(grid, this->Ranks,
+      { nullptr, grid.GetNumberOfLevels() - 1, false, blocks.Distortion.Weights },
+      view.PointOfInterest, view.Spacing);
     break;
   case Criterion::Distortion:
     this->Order.SetToDistortion(grid, this->Ranks, blocks.Distortion);

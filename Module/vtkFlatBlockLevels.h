@@ -45,6 +45,7 @@ public:
     vtkMTimeType VisibleTime;                 ///< when that last changed
     flatblock::BlockDistortion Distortion;    ///< where the criterion asks for it
     vtkMTimeType DistortionTime;
+    vtkMTimeType WeightsTime; ///< of its weights, 0 where there are none
   };
 
   /**

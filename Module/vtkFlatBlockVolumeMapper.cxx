@@ -179,7 +179,10 @@ void vtkFlatBlockVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SelectionCriterion: " << criteria[this->SelectionCriterion] << "\n";
   const char* const backends[] = { "Auto", "Serial", "OpenMP", "CUDA" };
   os << indent << "DistortionBackend: " << backends[this->DistortionBackend] << "\n";
+  os << indent
+     << "DistortionEstimate: " << (this->DistortionEstimate == EXACT ? "Exact" : "Summary") << "\n";
   os << indent << "DistortionPerByte: " << this->DistortionPerByte << "\n";
+  os << indent << "VisibilityWeighting: " << this->VisibilityWeighting << "\n";
   os << indent << "DistortionBlocksPerFrame: " << this->DistortionBlocksPerFrame << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "RefinementFraction: " << this->RefinementFraction << "\n";

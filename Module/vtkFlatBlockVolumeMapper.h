@@ -142,6 +142,17 @@ public:
   vtkBooleanMacro(DistortionPerByte, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether blocks count by the largest transmittance with which a ray from the camera may reach
+   * them: so what hides behind opaque matter leaves the memory to what is seen. A block that is
+   * seen at all is never taken for hidden. Default: on.
+   */
+  vtkSetMacro(VisibilityWeighting, bool);
+  vtkGetMacro(VisibilityWeighting, bool);
+  vtkBooleanMacro(VisibilityWeighting, bool);
+  ///@}
+
   enum DistortionBackends
   {
     AUTO,
@@ -162,6 +173,28 @@ public:
   void SetDistortionBackendToSerial() { this->SetDistortionBackend(SERIAL); }
   void SetDistortionBackendToOpenMP() { this->SetDistortionBackend(OPENMP); }
   void SetDistortionBackendToCUDA() { this->SetDistortionBackend(CUDA); }
+  ///@}
+
+  enum DistortionEstimates
+  {
+    EXACT,
+    SUMMARY
+  };
+
+  ///@{
+  /**
+   * What follows an edit of the transfer function. Exact (default): the blocks whose values it
+   * touches are computed again. Summary: each block is looked at once; what is kept of it, how
+   * often a value in one of 16 bins stands for one in another, tells e(b, l) for any transfer
+   * function within milliseconds. It is off by no more than the colours vary within a bin, and
+   * takes main memory: 0.5 % of a CT in blocks of 33, but up to 20 % of noise of 16 bit in blocks
+   * of 17.
+   */
+  vtkSetClampMacro(DistortionEstimate, int, EXACT, SUMMARY);
+  vtkGetMacro(DistortionEstimate, int);
+  void SetDistortionEstimateToExact() { this->SetDistortionEstimate(EXACT); }
+  void SetDistortionEstimateToSummary() { this->SetDistortionEstimate(SUMMARY); }
+  vtkTypeInt64 GetDistortionSummaryBytes() const;
   ///@}
 
   ///@{
@@ -340,6 +373,7 @@ private:
   void ShrinkAtlas();
   void UpdateLevels(vtkRenderer* renderer, vtkVolume* volume);
   void UpdateDistortion(vtkTypeInt64 mostBlocks);
+  void UpdateClassified();
   bool UsesCuda();
   vtkTypeInt64 GetBytesBesideAtlas(vtkRenderer* renderer) const;
   double GetStep() const;
@@ -352,7 +386,9 @@ private:
   int LevelFilter = SUBSAMPLE;
   int SelectionCriterion = DISTANCE;
   bool DistortionPerByte = true;
+  bool VisibilityWeighting = false;
   int DistortionBackend = AUTO;
+  int DistortionEstimate = EXACT;
   int NumberOfThreads = 0;
   int DistortionBlocksPerFrame = 512;
   double PointOfInterest[3] = { 0.0, 0.0, 0.0 };

@@ -2,6 +2,7 @@
 #include "vtkFlatBlockVolumeMapperInternals.h"
 
 #include <algorithm>
+#include <cmath>
 
 // Distortion in vtkFlatBlockVolumeMapper: when it is computed, by what, and what it tells.
 
@@ -23,17 +24,58 @@ bool vtkFlatBlockVolumeMapper::UsesCuda()
   return device.Answers;
 }
 
-void vtkFlatBlockVolumeMapper::UpdateDistortion(vtkTypeInt64 mostBlocks)
+void vtkFlatBlockVolumeMapper::UpdateClassified()
 {
   vtkInternals& in = *this->Internals;
   flatblock::StageTimer timer(in.Statistics.DistortionMilliseconds);
-  const flatblock::BrickSource& source = in.Builder->GetSource();
-  const bool everyInteger = source.GetEncoding().Format != flatblock::TexelFormat::Float32;
+  const bool everyInteger =
+    in.Builder->GetSource().GetEncoding().Format != flatblock::TexelFormat::Float32;
   in.TransferFunction->UpdateClassified(in.Property, in.Builder->GetRange(), everyInteger);
+}
+
+void vtkFlatBlockVolumeMapper::vtkInternals::UpdateTransmittance(const flatblock::VolumeView& view)
+{
+  constexpr double MostExtinction = 1e6; // of what is wholly opaque
+  const flatblock::ClassifiedTable& table = this->TransferFunction->GetClassifiedTable();
+  const bool isNewTable = std::max(this->TransferFunction->GetClassifiedTime(),
+                            this->Builder->GetMTime()) > this->ExtinctionTime;
+  if (isNewTable)
+  {
+    const double unit = this->Property->GetScalarOpacityUnitDistance();
+    const auto& ranges = this->Builder->GetBlockRanges();
+    this->LeastExtinction.resize(ranges.size());
+    std::transform(ranges.begin(), ranges.end(), this->LeastExtinction.begin(),
+      [&](const flatblock::ValueRange& range)
+      {
+        // What is not finite is drawn as the lowest or highest value.
+        const double opacity =
+          table.GetLeastOpacity(range.HasBelow ? table.GetLowest() : range.Lowest,
+            range.HasAbove ? table.GetHighest() : range.Highest);
+        return static_cast<float>(
+          std::min(-std::log1p(-std::min(opacity, 1.0)) / unit, MostExtinction));
+      });
+    this->ExtinctionTime.Modified();
+  }
+  const flatblock::VolumeView& last = this->TransmittanceView;
+  if (isNewTable || !(view.Camera == last.Camera) || view.DataSetSpacing != last.DataSetSpacing)
+  {
+    this->Transmittance = flatblock::ComputeTransmittance(this->Builder->GetSource().GetGrid(),
+      this->LeastExtinction, view.DataSetSpacing, view.Camera);
+    this->TransmittanceView = view;
+    this->TransmittanceTime.Modified();
+  }
+}
+
+void vtkFlatBlockVolumeMapper::UpdateDistortion(vtkTypeInt64 mostBlocks)
+{
+  this->UpdateClassified();
+  vtkInternals& in = *this->Internals;
+  flatblock::StageTimer timer(in.Statistics.DistortionMilliseconds);
+  const flatblock::BrickSource& source = in.Builder->GetSource();
   const int levels =
     std::clamp(this->NumberOfLevels - 1, 1, source.GetGrid().GetNumberOfLevels() - 1);
   in.Distortion->SetTable(in.Builder, in.TransferFunction->GetClassifiedTable(),
-    in.TransferFunction->GetClassifiedTime(), levels);
+    in.TransferFunction->GetClassifiedTime(), levels, this->DistortionEstimate == SUMMARY);
   const vtkTypeInt64 leftOut = in.Builder->GetNumberOfNonFiniteSamples();
   if (leftOut > 0 && !in.HasWarnedOfSamples)
   {
@@ -57,6 +99,11 @@ void vtkFlatBlockVolumeMapper::UpdateDistortion(vtkTypeInt64 mostBlocks)
 bool vtkFlatBlockVolumeMapper::GetDistortionComplete() const
 {
   return this->Internals->IsDistortionCurrent;
+}
+
+vtkTypeInt64 vtkFlatBlockVolumeMapper::GetDistortionSummaryBytes() const
+{
+  return this->Internals->Distortion->GetSummaryBytes();
 }
 
 double vtkFlatBlockVolumeMapper::GetTotalDistortion()

@@ -135,14 +135,26 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
       IsInteractive(renderer) ? this->DistortionBlocksPerFrame : VTK_TYPE_INT64_MAX);
     in.IsDistortionCurrent = in.Distortion->IsComplete();
   }
-  flatblock::StageTimer timer(in.Statistics.SelectionMilliseconds);
   const double* point = this->UseCameraAsPointOfInterest
                           ? renderer->GetActiveCamera()->GetPosition()
                           : this->PointOfInterest;
-  const vtkFlatBlockLevels::Blocks blocks = { &in.VisibleBlocks, in.VisibleBlocksTime.GetMTime(),
-    in.Distortion->Get(this->DistortionPerByte), in.Distortion->GetMTime() };
-  in.Levels->Update(source, blocks, criterion,
-    flatblock::GetVolumeView(renderer, volume, this, in.Input, point), limits);
+  const flatblock::VolumeView view =
+    flatblock::GetVolumeView(renderer, volume, this, in.Input, point);
+  const bool isWeighted = isLimited && this->VisibilityWeighting;
+  if (isWeighted)
+  {
+    this->UpdateClassified();
+  }
+  flatblock::StageTimer timer(in.Statistics.SelectionMilliseconds);
+  if (isWeighted)
+  {
+    in.UpdateTransmittance(view);
+  }
+  vtkFlatBlockLevels::Blocks blocks = { &in.VisibleBlocks, in.VisibleBlocksTime.GetMTime(),
+    in.Distortion->Get(this->DistortionPerByte), in.Distortion->GetMTime(),
+    isWeighted ? in.TransmittanceTime.GetMTime() : 0 };
+  blocks.Distortion.Weights = isWeighted ? in.Transmittance.data() : nullptr;
+  in.Levels->Update(source, blocks, criterion, view, limits);
 }
 
 // A still, or what an interactive frame may do towards it.

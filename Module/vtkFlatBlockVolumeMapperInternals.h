@@ -76,6 +76,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
     this->RayCaster->SetMemoryCounter(&this->Memory);
   }
 
+  void UpdateTransmittance(const flatblock::VolumeView& view);
   flatblock::FramePlan PlanFrame(const flatblock::RefinementBudget* budget, bool continuity);
 
   flatblock::MemoryCounter Memory; // outlives those who count in it
@@ -83,6 +84,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkNew<vtkFlatBlockTransferFunction> TransferFunction;
   std::vector<std::uint8_t> VisibleBlocks;
   vtkNew<vtkFlatBlockDistortion> Distortion;
+  std::vector<float> LeastExtinction; // of each block
+  std::vector<float> Transmittance;   // with which each block is seen at most
   vtkNew<vtkFlatBlockLevels> Levels;
   flatblock::Residency Residency;
   vtkNew<vtkOpenGLFlatBlockAtlas> Atlas;
@@ -92,6 +95,9 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   flatblock::VolumeInput Input;
   vtkTimeStamp VisibleBlocksTime;
   vtkTimeStamp TransferTextureTime;
+  vtkTimeStamp ExtinctionTime;
+  vtkTimeStamp TransmittanceTime;
+  flatblock::VolumeView TransmittanceView; // only compared with
   flatblock::FrameStatistics Statistics;
   vtkTypeInt64 Frames = 0; // drawn so far
   vtkTypeInt64 LastAtlasBytes = 0;

@@ -41,6 +41,12 @@ std::vector<float> GetWorths(const BlockGrid& grid, const BlockDistortion& disto
   }
   return worths;
 }
+float GetError(const BlockDistortion& distortion, std::int64_t block, int level)
+{
+  const float error =
+    distortion.Values ? distortion.Values[block * distortion.Levels + level - 1] : 1.0F;
+  return distortion.Weights ? error * distortion.Weights[block] : error;
+}
 } // namespace
 
 void RefinementOrder::SetToDistance(const BlockGrid& grid, const std::vector<BlockRank>& ranks,
@@ -144,7 +150,7 @@ void RefinementOrder::SetToDistortion(
   const std::vector<float> worths = GetWorths(grid, distortion);
   this->SetToImportance(grid, ranks, distortion,
     [&](std::int64_t block, int level)
-    { return distortion.Values[block * distortion.Levels + level - 1] * worths[level]; });
+    { return GetError(distortion, block, level) * worths[level]; });
 }
 
 void RefinementOrder::SetToDistortionAndDistance(const BlockGrid& grid,
@@ -172,8 +178,7 @@ void RefinementOrder::SetToDistortionAndDistance(const BlockGrid& grid,
     [&](std::int64_t block, int level)
     {
       const auto diagonal = static_cast<float>((grid.GetCellsPerBlock() >> level) * voxel);
-      return distortion.Values[block * distortion.Levels + level - 1] * worths[level] /
-             (distances[block] + diagonal);
+      return GetError(distortion, block, level) * worths[level] / (distances[block] + diagonal);
     });
 }
 } // namespace flatblock

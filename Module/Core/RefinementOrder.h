@@ -14,9 +14,10 @@ namespace flatblock
 /// How wrong blocks look. Levels without a value count as wrong as the coarsest that has one.
 struct BlockDistortion
 {
-  const float* Values = nullptr; ///< of each block: those of the levels 1 to Levels
+  const float* Values = nullptr; ///< of each block: those of the levels 1 to Levels; none: all 1
   int Levels = 0;
-  bool PerByte = false; ///< errors are divided by the bytes of the brick that is to come
+  bool PerByte = false;           ///< errors are divided by the bytes of the brick that is to come
+  const float* Weights = nullptr; ///< of each block, by which its errors count; none: all 1
 };
 
 /// Each block has a number at each level, and with it a time. Its refinement from level l to l - 1

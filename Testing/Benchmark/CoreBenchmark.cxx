@@ -1,6 +1,7 @@
 // Block ranges against a plain minimum and maximum of the same memory, and the selection of levels.
 #include "BlockGrid.h"
 #include "BlockRanges.h"
+#include "BlockVisibility.h"
 #include "LodSelector.h"
 
 #include <benchmark/benchmark.h>
@@ -94,5 +95,20 @@ void SelectLevels(benchmark::State& state)
   }
   state.SetItemsProcessed(decisions);
 }
+// 24^3 blocks.
+void Visibility(benchmark::State& state)
+{
+  const BlockGrid grid({ 385, 385, 385 }, 17);
+  const std::vector<float> extinction(grid.GetNumberOfBlocks(), 0.1F);
+  flatblock::Viewpoint view;
+  view.Eye = { 600.0, 500.0, 400.0 };
+  for ([[maybe_unused]] auto _ : state)
+  {
+    benchmark::DoNotOptimize(
+      flatblock::ComputeTransmittance(grid, extinction, { 1.0, 1.0, 1.0 }, view));
+  }
+}
+BENCHMARK(Visibility)->Unit(benchmark::kMillisecond);
+
 BENCHMARK(SelectLevels)->Arg(20)->Arg(74)->Unit(benchmark::kMillisecond);
 } // namespace

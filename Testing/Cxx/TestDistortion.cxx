@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -253,4 +254,65 @@ TEST(Distortion, NodesThatAreNotNumbersAreRefused)
   node[1] = 0.4;
   opacity->SetNodeValue(1, node);
   EXPECT_EQ(LargestDifference(scene.Draw(), good), 0.0);
+}
+
+// Summaries choose nearly as well, follow edits at once, and forget their history too.
+TEST(Distortion, SummariesFollowEdits)
+{
+  Scene scene;
+  ShowHalfRipples(scene, 256 << 20);
+  const auto full = scene.Draw();
+  scene.Mapper->SetMaxMemoryInBytes(288000 + scene.Mapper->GetUsedAtlasBytes() / 4);
+  scene.Mapper->SetSelectionCriterionToDistortion();
+  const double exact = PSNR(scene.Draw(), full);
+  scene.Mapper->SetDistortionEstimateToSummary();
+  const double estimated = PSNR(scene.Draw(), full);
+  std::cout << "exact " << exact << " dB, summaries " << estimated << " dB, "
+            << scene.Mapper->GetDistortionSummaryBytes() << " bytes\n";
+  EXPECT_GE(estimated, exact - 1.0);
+  scene.Window->SetDesiredUpdateRate(15.0);
+  scene.Mapper->SetDistortionBlocksPerFrame(1);
+  std::mt19937 random(3);
+  for (int edit = 0; edit < 30; ++edit)
+  {
+    EditAtRandom(scene, random);
+    scene.Window->Render();
+    EXPECT_TRUE(scene.Mapper->GetDistortionComplete());
+  }
+  scene.Window->SetDesiredUpdateRate(0.0001);
+  Scene fresh;
+  ShowHalfRipples(fresh, scene.Mapper->GetMaxMemoryInBytes());
+  fresh.Mapper->SetSelectionCriterionToDistortion();
+  fresh.Mapper->SetDistortionEstimateToSummary();
+  CopyFunctions(scene, fresh);
+  EXPECT_EQ(LargestDifference(scene.Draw(), fresh.Draw()), 0.0);
+}
+
+// An opaque body whose inside is full of detail that nobody sees.
+TEST(Distortion, WhatIsHiddenLeavesTheMemoryToWhatIsSeen)
+{
+  Scene scene;
+  scene.SetVolume(MakeVolume({ 129, 129, 129 }, VTK_UNSIGNED_SHORT,
+                    [](int x, int y, int z)
+                    {
+                      const auto fromSide = [](int i) { return std::min(i, 128 - i); };
+                      const bool isSkin = std::min({ fromSide(x), fromSide(y), fromSide(z) }) < 40;
+                      const double ripple = std::sin(1.1 * x) * std::sin(1.3 * y + 0.9 * z);
+                      return isSkin ? 1000.0 + 60.0 * ripple : 3000.0 + 900.0 * ripple;
+                    }),
+    0.5);
+  scene.SetOpacity({ { 0.0, 0.5 }, { 4000.0, 0.5 } });
+  scene.SetColor({ { 900.0, 0.9, 0.5, 0.3 }, { 1100.0, 0.3, 0.6, 0.9 }, { 2000.0, 1.0, 1.0, 1.0 },
+    { 3900.0, 0.9, 0.0, 0.0 } });
+  scene.Mapper->SetBlockSize(17);
+  scene.Mapper->SetSelectionCriterionToDistortion();
+  scene.LookFrom(30.0, 30.0);
+  const auto full = scene.Draw();
+  scene.Mapper->SetMaxMemoryInBytes(
+    scene.Mapper->GetMemoryInBytes() - scene.Mapper->GetAtlasBytes() + 2400000);
+  const double without = PSNR(scene.Draw(), full);
+  scene.Mapper->VisibilityWeightingOn();
+  const double with = PSNR(scene.Draw(), full);
+  std::cout << "without " << without << " dB, with visibility " << with << " dB\n";
+  EXPECT_GE(with, without + 3.0);
 }

@@ -60,6 +60,7 @@ struct Inputs
   bool IsContinuous = true;
   bool IsFiltered = false;
   int Criterion = 0;
+  bool IsWeighted = false;
 
   void ApplyTo(Scene& scene) const
   {
@@ -70,6 +71,7 @@ struct Inputs
     scene.Mapper->SetLevelFilter(this->IsFiltered);
     scene.Mapper->SetSelectionCriterion(this->Criterion);
     scene.Mapper->SetDistortionBlocksPerFrame(40);
+    scene.Mapper->SetVisibilityWeighting(this->IsWeighted);
     scene.Mapper->SetUseCameraAsPointOfInterest(this->IsCameraOfInterest);
     scene.Mapper->SetPointOfInterest(this->Point[0], this->Point[1], this->Point[2]);
     scene.SetRamp(this->Ramp[0], this->Ramp[1], this->Ramp[2]);
@@ -111,6 +113,7 @@ struct Inputs
     case 9:
     case 10:
       this->Criterion = int(random() % 3);
+      this->IsWeighted = random() % 2 == 0;
       break;
     default:
       this->Azimuth = uniform(0.0, 360.0);

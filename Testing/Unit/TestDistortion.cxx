@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <iostream>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -288,4 +288,49 @@ TEST(Distortion, HoldsForTinyAndHugeValues)
       EXPECT_NEAR(distortion[i], wanted[i], 1e-4 * wanted[i]) << scale;
     }
   }
+}
+
+// For tables that they were not made with.
+TEST(Distortion, SummariesKeepTheirBounds)
+{
+  std::mt19937 random(9);
+  const Index3 n = { 70, 50, 40 };
+  std::vector<unsigned short> samples(std::size_t(n[0]) * n[1] * n[2]);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    samples[i] =
+      static_cast<unsigned short>(500 + 10 * (i % n[0]) + random() % (i % 3 == 0 ? 40 : 400));
+  }
+  const BlockGrid grid(n, 17);
+  const auto blocks = AllBlocks(grid);
+  const BlockedVolume volume = { n, grid.GetBlocks(), grid.GetCellsPerBlock() };
+  std::vector<flatblock::BlockSummary> summaries(blocks.size());
+  std::vector<float> exact(blocks.size() * 3);
+  const auto table = [&random] { return MakeTable(0.0, 2000.0, 2001, random); };
+  flatblock::ComputeDistortion(
+    samples.data(), volume, blocks, 3, table(), 0, exact.data(), summaries.data());
+  std::size_t bytes = 0;
+  double error = 0.0;
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    const auto edited = table();
+    const auto wanted = Compute(samples, grid, 3, edited);
+    for (std::size_t block = 0; block < blocks.size(); ++block)
+    {
+      float estimate[3];
+      float bounds[3];
+      ASSERT_TRUE(summaries[block].IsSet());
+      summaries[block].Estimate(edited, estimate, bounds);
+      for (int level = 0; level < 3; ++level)
+      {
+        const float e = wanted[block * 3 + level];
+        ASSERT_LE(std::abs(estimate[level] - e), bounds[level] * 1.0001F + 1e-4F) << trial;
+        error += std::abs(estimate[level] - e) / e;
+      }
+      bytes += summaries[block].GetBytes();
+    }
+  }
+  std::cout << "estimates are off by " << 100.0 * error / (20.0 * 3.0 * double(blocks.size()))
+            << " % on average; " << double(bytes) / (20.0 * double(blocks.size()))
+            << " bytes a block of 9826\n";
 }
