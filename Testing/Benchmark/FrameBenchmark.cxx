@@ -1,10 +1,12 @@
 // Levels of detail on the way to the graphics card, and what they show. Needs a display.
 #include "vtk_glew.h"
 
+#include "CtLike.h"
 #include "Rendering.h"
 #include "Volumes.h"
 
 #include "vtkImageAppend.h"
+#include "vtkImageReader2.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
@@ -12,9 +14,13 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <fstream>
 #include <map>
+#include <utility>
 #include <vector>
 
 using namespace flatblock::testing;
@@ -198,6 +204,214 @@ BENCHMARK_CAPTURE(PointOfInterestMoves, interactive, 15.0)
 BENCHMARK_CAPTURE(PointOfInterestMoves, still, 0.0001)
   ->UseManualTime()
   ->Unit(benchmark::kMillisecond);
+
+// 512 x 512 x 1734 samples like a CT, 256 MiB, levels by distortion.
+class LiveEdit
+{
+public:
+  LiveEdit()
+  {
+    const std::array<int, 3> n = { 512, 512, 1734 };
+    const auto samples = flatblock::benchmarks::MakeCtLike(n);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(n.data());
+    image->AllocateScalars(VTK_UNSIGNED_SHORT, 1);
+    std::copy(
+      samples.begin(), samples.end(), static_cast<std::uint16_t*>(image->GetScalarPointer()));
+    this->Shown.SetVolume(image, 4.0);
+    this->Shown.SetColor({ { 0.0, 0.9, 0.5, 0.4 }, { 2000.0, 0.9, 0.9, 0.9 } });
+    this->Shown.Mapper->SetSelectionCriterionToDistortion();
+    this->Shown.Window->SetSize(64, 64);
+    this->Edit(0);
+    this->Shown.LookFrom(30.0, 20.0);
+    this->Shown.Window->Render();
+    this->Shown.Window->SetDesiredUpdateRate(15.0);
+  }
+
+  // All of the range, or the quarter above bone.
+  void Edit(int number, bool onlyQuarter = false)
+  {
+    const double high = onlyQuarter ? 0.6 + 0.01 * (number % 30) : 0.6;
+    const double low = onlyQuarter ? 0.05 : 0.05 + 0.001 * (number % 30);
+    this->Shown.SetOpacity({ { 100.0, 0.0 }, { 150.0, low }, { 1400.0, low + 0.1 },
+      { 1900.0, high }, { 4000.0, high } });
+  }
+
+  Scene Shown;
+};
+
+LiveEdit& GetLiveEdit()
+{
+  static LiveEdit edit;
+  return edit;
+}
+
+// The first interactive frame after an edit, all but uploads and drawing: the order has changed.
+void EditOrders(benchmark::State& state, bool onlyQuarter, int estimate)
+{
+  LiveEdit& edit = GetLiveEdit();
+  vtkFlatBlockVolumeMapper* mapper = edit.Shown.Mapper;
+  mapper->SetDistortionEstimate(estimate);
+  edit.Shown.Window->SetDesiredUpdateRate(0.0001);
+  edit.Shown.Window->Render();
+  edit.Shown.Window->SetDesiredUpdateRate(15.0);
+  int number = 0;
+  for ([[maybe_unused]] auto _ : state)
+  {
+    edit.Edit(++number, onlyQuarter);
+    edit.Shown.Window->Render();
+    state.SetIterationTime(
+      1e-3 * (mapper->GetRangeMilliseconds() + mapper->GetDistortionMilliseconds() +
+               mapper->GetSelectionMilliseconds()));
+  }
+  state.counters["summary_MiB"] = double(mapper->GetDistortionSummaryBytes()) / (1 << 20);
+}
+
+// Until all values are in.
+void EditCompletes(benchmark::State& state, bool onlyQuarter)
+{
+  LiveEdit& edit = GetLiveEdit();
+  vtkFlatBlockVolumeMapper* mapper = edit.Shown.Mapper;
+  mapper->SetDistortionEstimateToExact();
+  edit.Shown.Window->SetDesiredUpdateRate(0.0001);
+  edit.Shown.Window->Render();
+  int number = 100;
+  for ([[maybe_unused]] auto _ : state)
+  {
+    edit.Edit(++number, onlyQuarter);
+    edit.Shown.Window->Render();
+    state.SetIterationTime(1e-3 * mapper->GetDistortionMilliseconds());
+  }
+}
+BENCHMARK_CAPTURE(EditOrders, full_exact, false, vtkFlatBlockVolumeMapper::EXACT)
+  ->UseManualTime()
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(EditOrders, quarter_exact, true, vtkFlatBlockVolumeMapper::EXACT)
+  ->UseManualTime()
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(EditOrders, full_summary, false, vtkFlatBlockVolumeMapper::SUMMARY)
+  ->UseManualTime()
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(EditCompletes, full, false)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(EditCompletes, quarter, true)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+// Mean distortion of unrefined blocks of the same volume, by criterion and limit in MiB.
+void MeanDistortion(benchmark::State& state)
+{
+  LiveEdit& edit = GetLiveEdit();
+  vtkFlatBlockVolumeMapper* mapper = edit.Shown.Mapper;
+  mapper->SetDistortionEstimateToExact();
+  mapper->SetSelectionCriterion(static_cast<int>(state.range(0)));
+  mapper->SetMaxMemoryInBytes(state.range(1) << 20);
+  edit.Shown.Window->SetDesiredUpdateRate(0.0001);
+  for ([[maybe_unused]] auto _ : state)
+  {
+    edit.Shown.Window->Render();
+  }
+  state.counters["mean"] = mapper->GetMeanDistortionOfUnrefinedBlocks();
+  state.counters["total"] = mapper->GetTotalDistortion();
+}
+BENCHMARK(MeanDistortion)
+  ->ArgsProduct({ { vtkFlatBlockVolumeMapper::DISTANCE, vtkFlatBlockVolumeMapper::DISTORTION,
+                    vtkFlatBlockVolumeMapper::DISTORTION_AND_DISTANCE },
+    { 64, 128, 256 } })
+  ->Iterations(1)
+  ->Unit(benchmark::kMillisecond);
+
+// Pictures by criterion at a part of the memory, against the full one, over eight views: an MRI, a
+// CT skull (matrix.dat out of Cranium.inv3 of Debian's invesalius-examples, which the environment
+// variable FLATBLOCK_SKULL names), and a volume like a CT.
+struct Subject
+{
+  vtkSmartPointer<vtkImageData> Image;
+  std::vector<std::pair<double, double>> Opacity;
+  std::vector<std::array<double, 4>> Color;
+};
+
+Subject MakeMRI()
+{
+  const auto mri = ReadMRI();
+  return { mri ? *mri : nullptr, { { 40.0, 0.0 }, { 160.0, 0.3 } },
+    { { 40.0, 0.2, 0.4, 0.9 }, { 160.0, 0.9, 0.8, 0.3 } } };
+}
+
+Subject MakeSkull()
+{
+  const char* file = std::getenv("FLATBLOCK_SKULL");
+  if (!file)
+  {
+    return {};
+  }
+  vtkNew<vtkImageReader2> reader;
+  reader->SetFileName(file);
+  reader->SetFileDimensionality(3);
+  reader->SetDataExtent(0, 255, 0, 255, 0, 107);
+  reader->SetDataSpacing(0.957, 0.957, 1.5);
+  reader->SetDataScalarTypeToShort();
+  reader->SetDataByteOrderToLittleEndian();
+  reader->Update();
+  return { reader->GetOutput(), { { 200.0, 0.0 }, { 500.0, 0.5 } },
+    { { 200.0, 0.8, 0.5, 0.4 }, { 1500.0, 1.0, 1.0, 0.9 } } };
+}
+
+Subject MakeCt()
+{
+  const std::array<int, 3> n = { 192, 192, 192 };
+  const auto samples = flatblock::benchmarks::MakeCtLike(n);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(n.data());
+  image->AllocateScalars(VTK_UNSIGNED_SHORT, 1);
+  std::copy(samples.begin(), samples.end(), static_cast<std::uint16_t*>(image->GetScalarPointer()));
+  return { image, { { 600.0, 0.0 }, { 1000.0, 0.1 }, { 1500.0, 0.6 } },
+    { { 600.0, 0.9, 0.5, 0.4 }, { 1900.0, 0.9, 0.9, 0.9 } } };
+}
+
+double GetMeanPSNR(const Subject& subject, int criterion, bool perByte, int part)
+{
+  double sum = 0.0;
+  constexpr int Views = 8;
+  for (int view = 0; view < Views; ++view)
+  {
+    Scene scene;
+    scene.SetVolume(subject.Image, 0.5);
+    scene.SetOpacity(subject.Opacity);
+    scene.SetColor(subject.Color);
+    scene.Mapper->SetBlockSize(17);
+    scene.Mapper->SetSelectionCriterion(criterion);
+    scene.Mapper->SetDistortionPerByte(perByte);
+    scene.Mapper->SetMaxMemoryInBytes(vtkTypeInt64(1) << 30);
+    scene.LookFrom(30.0 + 45.0 * view, 70.0 * std::sin(1.7 * view), 1.2);
+    const auto full = scene.Draw();
+    scene.Mapper->SetMaxMemoryInBytes(scene.Mapper->GetMemoryInBytes() -
+                                      scene.Mapper->GetAtlasBytes() +
+                                      scene.Mapper->GetUsedAtlasBytes() / part);
+    sum += PSNR(scene.Draw(), full);
+  }
+  return sum / Views;
+}
+
+void PictureByCriterion(benchmark::State& state, Subject (*make)())
+{
+  const Subject subject = make();
+  if (!subject.Image)
+  {
+    state.SkipWithError("the volume is not here");
+    return;
+  }
+  const int part = static_cast<int>(state.range(0));
+  using Mapper = vtkFlatBlockVolumeMapper;
+  for ([[maybe_unused]] auto _ : state)
+  {
+    state.counters["distance_dB"] = GetMeanPSNR(subject, Mapper::DISTANCE, true, part);
+    state.counters["distortion_dB"] = GetMeanPSNR(subject, Mapper::DISTORTION, true, part);
+    state.counters["both_dB"] = GetMeanPSNR(subject, Mapper::DISTORTION_AND_DISTANCE, true, part);
+    state.counters["distortion_largest_first_dB"] =
+      GetMeanPSNR(subject, Mapper::DISTORTION, false, part);
+  }
+}
+BENCHMARK_CAPTURE(PictureByCriterion, MRI, MakeMRI)->Arg(8)->Arg(32)->Iterations(1);
+BENCHMARK_CAPTURE(PictureByCriterion, skull, MakeSkull)->Arg(8)->Arg(32)->Iterations(1);
+BENCHMARK_CAPTURE(PictureByCriterion, CT, MakeCt)->Arg(8)->Arg(32)->Iterations(1);
 
 // The picture at a part of the memory that all bricks take, against the full one. The pictures go
 // to levels.png, side by side: full, 1/2, 1/8, 1/32, 1/128.

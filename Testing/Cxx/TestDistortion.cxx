@@ -176,6 +176,80 @@ TEST(Distortion, EditsEndLikeAFreshMapper)
   EXPECT_TRUE(wasIncomplete);
 }
 
+namespace
+{
+// Values grow along x: an interval of values is a layer of blocks, eight by two by two in all.
+void ShowLayers(Scene& scene)
+{
+  scene.SetVolume(
+    MakeVolume({ 129, 33, 33 }, VTK_UNSIGNED_CHAR,
+      [](int x, int y, int z) { return x + (x * 7 + y * 5 + z * 3) % 4 * (x < 125 ? 1 : 0); }),
+    0.5);
+  scene.SetColor({ { 0.0, 0.9, 0.2, 0.1 }, { 128.0, 0.1, 0.9, 0.9 } });
+  scene.SetOpacity({ { 0.0, 0.1 }, { 128.0, 0.9 } });
+  scene.Mapper->SetBlockSize(17);
+  scene.Mapper->SetMaxMemoryInBytes(350000);
+  scene.Mapper->SetSelectionCriterionToDistortion();
+  scene.LookFrom(20.0, 30.0);
+}
+} // namespace
+
+// As many blocks as the edit touches, and not one more: it could not be done in one frame.
+TEST(Distortion, OnlyWhatAnEditTouchesIsComputedAgain)
+{
+  Scene scene;
+  ShowLayers(scene);
+  scene.Draw();
+  ASSERT_GT(scene.Mapper->GetNumberOfBricks(1) + scene.Mapper->GetNumberOfBricks(2), 0);
+  scene.Window->SetDesiredUpdateRate(15.0);
+  scene.Property->GetScalarOpacity()->AddPoint(38.0, 0.37);
+  scene.Property->GetScalarOpacity()->AddPoint(44.0, 0.41);
+  scene.Mapper->SetDistortionBlocksPerFrame(32);
+  scene.Window->Render();
+  EXPECT_TRUE(scene.Mapper->GetDistortionComplete()); // 128 at first, at both sides of the nodes
+  scene.Mapper->SetDistortionBlocksPerFrame(4);
+  scene.Property->GetScalarOpacity()->AddPoint(40.0, 0.9); // between the two, in one layer
+  scene.Window->Render();
+  EXPECT_TRUE(scene.Mapper->GetDistortionComplete());
+  scene.Property->GetScalarOpacity()->AddPoint(48.0, 0.9); // where two layers meet
+  scene.Window->Render();
+  EXPECT_FALSE(scene.Mapper->GetDistortionComplete());
+}
+
+TEST(Distortion, BlocksOfOneColorAreNotVisited)
+{
+  Scene scene;
+  ShowLayers(scene);
+  scene.SetColor({ { 0.0, 0.9, 0.2, 0.1 } });
+  scene.SetOpacity({ { 0.0, 0.5 }, { 128.0, 0.5 } });
+  scene.Mapper->SetDistortionBlocksPerFrame(1);
+  scene.Window->SetDesiredUpdateRate(15.0);
+  scene.Window->Render();
+  EXPECT_TRUE(scene.Mapper->GetDistortionComplete());
+  EXPECT_EQ(scene.Mapper->GetTotalDistortion(), 0.0);
+}
+
+// Nodes at the same value, and far beyond the data.
+TEST(Distortion, OddFunctionsAreTaken)
+{
+  Scene scene;
+  ShowLayers(scene);
+  scene.Mapper->SetMaxMemoryInBytes(460000); // nodes this close have a table of 128 KiB
+  scene.Property->GetScalarOpacity()->AllowDuplicateScalarsOn();
+  for (const double opacity : { 0.1, 0.8, 0.3 })
+  {
+    scene.Property->GetScalarOpacity()->AddPoint(64.0, opacity);
+  }
+  scene.Draw();
+  const double total = scene.Mapper->GetTotalDistortion();
+  EXPECT_TRUE(std::isfinite(total));
+  EXPECT_GT(total, 0.0);
+  scene.SetOpacity({ { -1e9, 0.0 }, { 1e9, 1.0 } });
+  scene.SetColor({ { -1e30, 0.0, 0.0, 0.0 }, { 1e30, 1.0, 1.0, 1.0 } });
+  EXPECT_TRUE(ShowsSomething(scene.Draw()));
+  EXPECT_LT(scene.Mapper->GetTotalDistortion(), 1e-3);
+}
+
 TEST(Distortion, InteractiveFramesFinishInTheEnd)
 {
   Scene scene;
