@@ -1,4 +1,5 @@
 #include "BlockRanges.h"
+#include "SampleTypes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -116,19 +117,7 @@ void ComputeBlockRanges(const T* samples, const std::array<int, 3>& dims, int ce
 
 #define FLATBLOCK_INSTANTIATE(T)                                                                   \
   template void ComputeBlockRanges<T>(                                                             \
-    const T*, const std::array<int, 3>&, int, const std::array<int, 3>&, ValueRange*)
-FLATBLOCK_INSTANTIATE(char);
-FLATBLOCK_INSTANTIATE(signed char);
-FLATBLOCK_INSTANTIATE(unsigned char);
-FLATBLOCK_INSTANTIATE(short);
-FLATBLOCK_INSTANTIATE(unsigned short);
-FLATBLOCK_INSTANTIATE(int);
-FLATBLOCK_INSTANTIATE(unsigned int);
-FLATBLOCK_INSTANTIATE(long);
-FLATBLOCK_INSTANTIATE(unsigned long);
-FLATBLOCK_INSTANTIATE(long long);
-FLATBLOCK_INSTANTIATE(unsigned long long);
-FLATBLOCK_INSTANTIATE(float);
-FLATBLOCK_INSTANTIATE(double);
+    const T*, const std::array<int, 3>&, int, const std::array<int, 3>&, ValueRange*);
+FLATBLOCK_FOR_SAMPLE_TYPES(FLATBLOCK_INSTANTIATE)
 #undef FLATBLOCK_INSTANTIATE
 } // namespace flatblock

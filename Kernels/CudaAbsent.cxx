@@ -1,5 +1,6 @@
 #include "CudaDevice.h"
 #include "CudaDistortion.h"
+#include "SampleTypes.h"
 
 namespace flatblock
 {
@@ -32,19 +33,7 @@ std::string CudaDistortion::Compute(const T*, const BlockedVolume&,
 
 #define FLATBLOCK_INSTANTIATE(T)                                                                   \
   template std::string CudaDistortion::Compute(const T*, const BlockedVolume&,                     \
-    const std::vector<std::int64_t>&, int, const ClassifiedTable&, float*)
-FLATBLOCK_INSTANTIATE(char);
-FLATBLOCK_INSTANTIATE(signed char);
-FLATBLOCK_INSTANTIATE(unsigned char);
-FLATBLOCK_INSTANTIATE(short);
-FLATBLOCK_INSTANTIATE(unsigned short);
-FLATBLOCK_INSTANTIATE(int);
-FLATBLOCK_INSTANTIATE(unsigned int);
-FLATBLOCK_INSTANTIATE(long);
-FLATBLOCK_INSTANTIATE(unsigned long);
-FLATBLOCK_INSTANTIATE(long long);
-FLATBLOCK_INSTANTIATE(unsigned long long);
-FLATBLOCK_INSTANTIATE(float);
-FLATBLOCK_INSTANTIATE(double);
+    const std::vector<std::int64_t>&, int, const ClassifiedTable&, float*);
+FLATBLOCK_FOR_SAMPLE_TYPES(FLATBLOCK_INSTANTIATE)
 #undef FLATBLOCK_INSTANTIATE
 } // namespace flatblock

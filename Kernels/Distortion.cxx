@@ -1,5 +1,8 @@
 #include "Distortion.h"
 
+#include "LevelInterpolator.h"
+#include "SampleTypes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,145 +16,11 @@
 
 namespace flatblock
 {
-void BlockSummary::Set(int first, int last, const std::vector<std::uint32_t>& counts)
-{
-  constexpr std::uint32_t MostCount = (1U << 24) - 1;
-  constexpr std::size_t PairsOfBins = Bins * Bins;
-  this->First = first;
-  this->Last = last;
-  this->Pairs.clear();
-  this->Ends.clear();
-  for (std::size_t i = 0; i < counts.size(); ++i)
-  {
-    if (counts[i] > 0)
-    {
-      const auto pair = static_cast<std::uint32_t>(i % PairsOfBins);
-      this->Pairs.push_back(std::min(counts[i], MostCount) << 8 | pair);
-    }
-    if (i % PairsOfBins == PairsOfBins - 1)
-    {
-      this->Ends.push_back(static_cast<std::uint16_t>(this->Pairs.size()));
-    }
-  }
-  this->Pairs.shrink_to_fit();
-}
-
-void BlockSummary::Estimate(const ClassifiedTable& table, float* distortion, float* bounds) const
-{
-  std::array<ClassifiedColor, Bins> colors;
-  std::array<float, Bins> widths; // how far a bin's colours may be from the one that stands for it
-  const int size = this->Last - this->First + 1;
-  for (int bin = 0; bin < Bins; ++bin)
-  {
-    const int first = this->First + (bin * size + Bins - 1) / Bins;
-    const int last = this->First + ((bin + 1) * size + Bins - 1) / Bins - 1;
-    const int middle = std::clamp((first + last) / 2, this->First, this->Last);
-    colors[bin] = table.GetColors()[static_cast<std::size_t>(middle)];
-    // Positions are rounded to their nearest entry.
-    widths[bin] =
-      table.GetLargestDifference(table.GetValue(first - 0.5), table.GetValue(last + 0.5));
-  }
-  std::size_t i = 0;
-  for (std::size_t level = 0; level < this->Ends.size(); ++level)
-  {
-    double sum = 0.0;
-    double boundSum = 0.0;
-    double count = 0.0;
-    for (; i < this->Ends[level]; ++i)
-    {
-      const std::uint32_t fine = (this->Pairs[i] & 255U) / Bins;
-      const std::uint32_t coarse = this->Pairs[i] % Bins;
-      const auto samples = static_cast<double>(this->Pairs[i] >> 8);
-      const ClassifiedColor apart = colors[fine] - colors[coarse];
-      const ClassifiedColor squares = apart * apart;
-      sum += samples * ((double(squares[0]) + squares[1]) + (double(squares[2]) + squares[3]));
-      const double width = double(widths[fine]) + widths[coarse];
-      boundSum += samples * width * width;
-      count += samples;
-    }
-    distortion[level] = static_cast<float>(std::sqrt(sum / std::max(count, 1.0)));
-    bounds[level] = static_cast<float>(std::sqrt(boundSum / std::max(count, 1.0)));
-  }
-}
-
 namespace
 {
 // Positions in the table are exact integers for these types.
 template <typename T>
 constexpr bool HasIntegerPositions = std::is_integral_v<T> && sizeof(T) <= 2;
-
-// A level of one block: its samples, interpolated plane by plane and row by row. Values are scaled
-// by the stride for each axis along which they are interpolated, so that integers stay exact.
-template <typename Number>
-class LevelInterpolator
-{
-public:
-  LevelInterpolator(int level, int cells)
-    : Level(level), Stride(1 << level), Side((cells >> level) + 1),
-      Lattice(std::size_t(Side) * Side * Side), Plane(std::size_t(Side) * Side), Row(Side)
-  {
-  }
-
-  int GetStride() const { return this->Stride; }
-  int GetSide() const { return this->Side; }
-  Number* GetLattice() { return this->Lattice.data(); }
-  int GetShift() const { return 3 * this->Level; }
-
-  void SetPlane(int z)
-  {
-    const int plane = this->Side * this->Side;
-    const int k = std::min(z >> this->Level, this->Side - 2);
-    const Number* below = this->Lattice.data() + std::ptrdiff_t(k) * plane;
-    const auto far = static_cast<Number>(z - (k << this->Level));
-    Mix(below, below + plane, far, plane, this->Plane.data());
-  }
-
-  void SetRow(int y)
-  {
-    const int j = std::min(y >> this->Level, this->Side - 2);
-    const Number* below = this->Plane.data() + std::ptrdiff_t(j) * this->Side;
-    const auto far = static_cast<Number>(y - (j << this->Level));
-    Mix(below, below + this->Side, far, this->Side, this->Row.data());
-  }
-
-  // Values at the samples of the row, scaled by the stride's cube.
-  void GetRow(int samples, Number* values) const
-  {
-    for (int i = 0; i < this->Side - 1; ++i)
-    {
-      const Number step = this->Row[i + 1] - this->Row[i];
-      const Number first = this->Row[i] * static_cast<Number>(this->Stride);
-      const int begin = i * this->Stride;
-      const int count = std::min(this->Stride, samples - begin);
-      for (int k = 0; k < count; ++k)
-      {
-        values[begin + k] = first + static_cast<Number>(k) * step;
-      }
-    }
-    const int last = (this->Side - 1) * this->Stride;
-    if (last < samples)
-    {
-      values[last] = this->Row[this->Side - 1] * static_cast<Number>(this->Stride);
-    }
-  }
-
-private:
-  void Mix(const Number* a, const Number* b, Number far, int count, Number* out) const
-  {
-    const Number near = static_cast<Number>(this->Stride) - far;
-    for (int i = 0; i < count; ++i)
-    {
-      out[i] = a[i] * near + b[i] * far;
-    }
-  }
-
-  int Level;
-  int Stride;
-  int Side;
-  std::vector<Number> Lattice;
-  std::vector<Number> Plane;
-  std::vector<Number> Row;
-};
 
 // The positions of a row in the table, and what they add to the sums.
 struct RowPositions
@@ -474,18 +343,7 @@ std::int64_t ComputeDistortion(const T* samples, const BlockedVolume& volume,
 
 #define FLATBLOCK_INSTANTIATE(T)                                                                   \
   template std::int64_t ComputeDistortion(const T*, const BlockedVolume&,                          \
-    const std::vector<std::int64_t>&, int, const ClassifiedTable&, int, float*, BlockSummary*)
-FLATBLOCK_INSTANTIATE(char);
-FLATBLOCK_INSTANTIATE(signed char);
-FLATBLOCK_INSTANTIATE(unsigned char);
-FLATBLOCK_INSTANTIATE(short);
-FLATBLOCK_INSTANTIATE(unsigned short);
-FLATBLOCK_INSTANTIATE(int);
-FLATBLOCK_INSTANTIATE(unsigned int);
-FLATBLOCK_INSTANTIATE(long);
-FLATBLOCK_INSTANTIATE(unsigned long);
-FLATBLOCK_INSTANTIATE(long long);
-FLATBLOCK_INSTANTIATE(unsigned long long);
-FLATBLOCK_INSTANTIATE(float);
-FLATBLOCK_INSTANTIATE(double);
+    const std::vector<std::int64_t>&, int, const ClassifiedTable&, int, float*, BlockSummary*);
+FLATBLOCK_FOR_SAMPLE_TYPES(FLATBLOCK_INSTANTIATE)
+#undef FLATBLOCK_INSTANTIATE
 } // namespace flatblock

@@ -26,7 +26,7 @@ check_format() {
   command -v clang-format >/dev/null || { echo "clang-format is not here: not checked"; return 0; }
   echo "Checking the format ..."
   (cd "$project" && find Examples Kernels Module Plugin Testing \
-    -name '*.cxx' -o -name '*.h' -o -name '*.cu' | xargs clang-format --dry-run --Werror)
+    -name '*.cxx' -o -name '*.h' -o -name '*.cu*' | xargs clang-format --dry-run --Werror)
 }
 
 check_tidy() {
