@@ -112,6 +112,7 @@ struct CudaDistortion::Memory
     FLATBLOCK_CHECK(
       cudaMemcpy(this->Blocks.Get<void>(), blocks.data(), numbers, cudaMemcpyHostToDevice));
     FLATBLOCK_CHECK(this->Results.Resize(blocks.size() * levels * sizeof(float)));
+    FLATBLOCK_CHECK(cudaStreamSynchronize(nullptr)); // the lanes do not wait for these copies
     const double span = table.GetHighest() - table.GetLowest();
     const auto last = static_cast<double>(table.GetColors().size() - 1);
     onDevice = { this->Colors.Get<ClassifiedColor>(), table.GetLowest(),
@@ -129,6 +130,7 @@ struct CudaDistortion::Memory
     {
       FLATBLOCK_CHECK(this->Volume.Resize(bytes));
       FLATBLOCK_CHECK(cudaMemcpy(this->Volume.Get<void>(), samples, bytes, cudaMemcpyHostToDevice));
+      FLATBLOCK_CHECK(cudaStreamSynchronize(nullptr));
       this->VolumeOnHost = samples;
     }
     volume.Samples = this->Volume.Get<T>();

@@ -76,7 +76,9 @@ __device__ T GetSample(const VolumeOnDevice<T>& volume, int x, int y, int z)
 template <typename T>
 __device__ std::int32_t ToPosition(const TableOnDevice& table, T value, std::int32_t)
 {
-  return static_cast<std::int32_t>(value) - static_cast<std::int32_t>(table.Lowest);
+  const std::int32_t position =
+    static_cast<std::int32_t>(value) - static_cast<std::int32_t>(table.Lowest);
+  return max(0, min(position, static_cast<std::int32_t>(table.Last)));
 }
 
 // NaN and infinities as they are drawn.

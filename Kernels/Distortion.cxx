@@ -55,6 +55,7 @@ public:
     if constexpr (HasIntegerPositions<T>)
     {
       this->Lowest = static_cast<std::int32_t>(table.GetLowest());
+      this->Last = static_cast<std::int32_t>(table.GetColors().size()) - 1;
     }
     // An entry after the last position, which has no share there.
     this->Colors = table.GetColors();
@@ -146,7 +147,7 @@ private:
 
   std::int32_t ToPosition(T value, std::int32_t) const
   {
-    return static_cast<std::int32_t>(value) - this->Lowest;
+    return std::clamp(static_cast<std::int32_t>(value) - this->Lowest, 0, this->Last);
   }
 
   // NaN and infinities as they are drawn.
@@ -304,6 +305,7 @@ private:
   std::int32_t RangeFirst = 0;
   std::int32_t RangeSize = 1;
   std::int32_t Lowest = 0;
+  std::int32_t Last = 0;
   std::vector<std::unique_ptr<LevelInterpolator<std::int32_t>>> Exact;
   std::vector<std::unique_ptr<LevelInterpolator<double>>> Real;
   std::vector<std::int32_t> Fine;

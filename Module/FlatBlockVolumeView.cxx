@@ -7,6 +7,7 @@
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
@@ -77,6 +78,24 @@ std::array<double, 3> Transform(vtkMatrix4x4* matrix, const double vector[3], do
   return { to[0], to[1], to[2] };
 }
 
+std::array<double, 4> GetNearPlane(vtkCamera* camera)
+{
+  const double* position = camera->GetPosition();
+  const double* sight = camera->GetDirectionOfProjection();
+  double at = camera->GetClippingRange()[0];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    at += position[axis] * sight[axis];
+  }
+  return { sight[0], sight[1], sight[2], -at };
+}
+
+bool IsPlain(vtkCamera* camera)
+{
+  const double* shear = camera->GetViewShear();
+  return !camera->GetUseOffAxisProjection() && shear[0] == 0.0 && shear[1] == 0.0;
+}
+
 CroppingRegions GetCropping(vtkVolumeMapper* mapper, vtkMatrix4x4* sampleToDataSet)
 {
   CroppingRegions cropping;
@@ -109,6 +128,8 @@ VolumeView GetVolumeView(vtkRenderer* renderer, vtkVolume* volume, vtkVolumeMapp
   view.Camera.IsParallel = camera->GetParallelProjection() != 0;
   view.Camera.Eye = Transform(worldToSample, camera->GetPosition(), 1.0);
   view.Camera.Sight = Transform(worldToSample, camera->GetDirectionOfProjection(), 0.0);
+  view.Camera.NearPlane = ToSamples(GetNearPlane(camera).data(), sampleToWorld);
+  view.HasPlainCamera = IsPlain(camera) && !renderer->GetRenderWindow()->GetStereoRender();
   AddViewPlanes(renderer, sampleToWorld, view.Region);
   AddClippingPlanes(mapper, sampleToWorld, view.Region);
   if (mapper->GetCropping())

@@ -21,6 +21,7 @@ struct VolumeView
   std::array<double, 3> DataSetSpacing = {};  ///< the same in the data set's unit of length
   ViewRegion Region;
   Viewpoint Camera;
+  bool HasPlainCamera = true; ///< rays come from where the camera says that it is
 };
 
 /// From the renderer's camera, and the mapper's clipping planes and cropping.

@@ -110,6 +110,22 @@ private:
   flatblock::LevelFilter Filter;
 };
 
+// With NaN and infinities as the lowest and highest value of the volume.
+flatblock::ValueRange GetDrawnRange(flatblock::ValueRange range, const flatblock::ValueRange& whole)
+{
+  if (range.HasBelow)
+  {
+    range.Lowest = whole.Lowest;
+    range.Highest = std::max(range.Highest, whole.Lowest);
+  }
+  if (range.HasAbove)
+  {
+    range.Highest = whole.Highest;
+    range.Lowest = std::min(range.Lowest, whole.Highest);
+  }
+  return range;
+}
+
 // Looks only where the ranges say that there are any.
 template <typename T>
 vtkTypeInt64 CountNonFinite([[maybe_unused]] const T* samples, [[maybe_unused]] vtkIdType count,
@@ -187,6 +203,10 @@ void vtkFlatBlockBuilder::Build(const flatblock::BlockGrid& grid, const T* sampl
   if (this->Range.IsEmpty())
   {
     this->Range = { 0.0, 0.0 };
+  }
+  for (flatblock::ValueRange& range : this->BlockRanges)
+  {
+    range = GetDrawnRange(range, this->Range);
   }
   this->NonFiniteSamples =
     CountNonFinite(samples, this->Scalars->GetNumberOfValues(), this->BlockRanges);

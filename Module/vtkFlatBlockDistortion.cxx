@@ -24,14 +24,17 @@ void vtkFlatBlockDistortion::StartAnew(vtkFlatBlockBuilder* builder, int levels,
 }
 
 void vtkFlatBlockDistortion::SetTable(vtkFlatBlockBuilder* builder,
-  const flatblock::ClassifiedTable& table, vtkMTimeType tableTime, int levels, bool summarize)
+  const flatblock::ClassifiedTable& table, vtkMTimeType tableTime, int levels, bool summarize,
+  bool usesCuda)
 {
   const bool isNew = this->BuilderTime != builder->GetMTime() || this->Levels != levels ||
-                     this->Summarizes != summarize;
+                     this->Summarizes != summarize || this->UsesCuda != usesCuda;
   if (!isNew && this->TableTime == tableTime)
   {
     return;
   }
+  this->BuilderTime = 0; // until all is done
+  this->UsesCuda = usesCuda;
   constexpr double Infinity = std::numeric_limits<double>::infinity();
   std::pair<double, double> changed = { -Infinity, Infinity };
   if (isNew)
@@ -43,13 +46,13 @@ void vtkFlatBlockDistortion::SetTable(vtkFlatBlockBuilder* builder,
     changed = flatblock::FindDifference(this->Table, table);
   }
   this->Table = table;
-  this->BuilderTime = builder->GetMTime();
-  this->TableTime = tableTime;
   if (changed.first <= changed.second)
   {
     this->FindWaiting(builder, changed);
     this->Modified();
   }
+  this->BuilderTime = builder->GetMTime();
+  this->TableTime = tableTime;
 }
 
 void vtkFlatBlockDistortion::FindWaiting(
@@ -109,7 +112,6 @@ std::string vtkFlatBlockDistortion::Compute(
     return {};
   }
   std::vector<std::int64_t> slice(this->Waiting.end() - count, this->Waiting.end());
-  this->Waiting.resize(static_cast<std::size_t>(waiting - count));
   std::sort(slice.begin(), slice.end()); // as they lie in memory
   std::vector<float> values(slice.size() * this->Levels);
   std::vector<flatblock::BlockSummary> summaries(this->Summarizes ? slice.size() : 0);
@@ -130,6 +132,7 @@ std::string vtkFlatBlockDistortion::Compute(
     this->HasValue[block] = 1;
     this->IsWaiting[block] = 0;
   }
+  this->Waiting.resize(static_cast<std::size_t>(waiting - count));
   this->BlocksComputed += count;
   this->Modified();
   return problem;

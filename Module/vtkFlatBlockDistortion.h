@@ -33,9 +33,10 @@ public:
    * @param levels     how many levels from 1 on have a value, at least 1
    * @param summarize  whether each block is looked at once, and all values are estimates from what
    *                   was kept of it then
+   * @param usesCuda   whether it computes: values of two backends are not mixed
    */
   void SetTable(vtkFlatBlockBuilder* builder, const flatblock::ClassifiedTable& table,
-    vtkMTimeType tableTime, int levels, bool summarize);
+    vtkMTimeType tableTime, int levels, bool summarize, bool usesCuda);
 
   /**
    * Computes up to so many blocks that wait, by all threads where `threads` is 0.
@@ -95,6 +96,7 @@ private:
   vtkMTimeType TableTime = 0;
   int Levels = 1;
   bool Summarizes = false;
+  bool UsesCuda = false;
   vtkTypeInt64 BlocksComputed = 0;
 };
 

@@ -143,16 +143,17 @@ bool vtkFlatBlockTransferFunction::Update(
 void vtkFlatBlockTransferFunction::UpdateClassified(
   vtkVolumeProperty* property, const flatblock::ValueRange& range, bool everyInteger)
 {
+  constexpr int EntriesOfReals = 4096;
+  const double span = range.Highest - range.Lowest;
+  const int count = everyInteger ? static_cast<int>(span) + 1 : (span > 0.0 ? EntriesOfReals : 1);
   const vtkMTimeType edited = GetLastEdit(property);
   if (this->ClassifiedProperty == property && this->ClassifiedEdit == edited &&
+      this->Classified.GetColors().size() == static_cast<std::size_t>(count) &&
       this->Classified.GetLowest() == range.Lowest &&
       this->Classified.GetHighest() == range.Highest)
   {
     return;
   }
-  constexpr int EntriesOfReals = 4096;
-  const double span = range.Highest - range.Lowest;
-  const int count = everyInteger ? static_cast<int>(span) + 1 : (span > 0.0 ? EntriesOfReals : 1);
   const std::vector<float> colors = SampleColors(property, range, count);
   std::vector<double> opacities(count);
   property->GetScalarOpacity()->GetTable(range.Lowest, range.Highest, count, opacities.data());

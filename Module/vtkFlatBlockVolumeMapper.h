@@ -146,7 +146,9 @@ public:
   /**
    * Whether blocks count by the largest transmittance with which a ray from the camera may reach
    * them: so what hides behind opaque matter leaves the memory to what is seen. A block that is
-   * seen at all is never taken for hidden. Default: on.
+   * seen at all is never taken for hidden, so that only matter that fills whole blocks hides
+   * others; the opacity is that of the values in a block, for integers of 8 and 16 bit at the
+   * integers. Does nothing in stereo, nor with sheared or off-axis cameras. Default: off.
    */
   vtkSetMacro(VisibilityWeighting, bool);
   vtkGetMacro(VisibilityWeighting, bool);

@@ -47,10 +47,7 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateTransmittance(const flatblock
     std::transform(ranges.begin(), ranges.end(), this->LeastExtinction.begin(),
       [&](const flatblock::ValueRange& range)
       {
-        // What is not finite is drawn as the lowest or highest value.
-        const double opacity =
-          table.GetLeastOpacity(range.HasBelow ? table.GetLowest() : range.Lowest,
-            range.HasAbove ? table.GetHighest() : range.Highest);
+        const double opacity = table.GetLeastOpacity(range.Lowest, range.Highest);
         return static_cast<float>(
           std::min(-std::log1p(-std::min(opacity, 1.0)) / unit, MostExtinction));
       });
@@ -75,7 +72,8 @@ void vtkFlatBlockVolumeMapper::UpdateDistortion(vtkTypeInt64 mostBlocks)
   const int levels =
     std::clamp(this->NumberOfLevels - 1, 1, source.GetGrid().GetNumberOfLevels() - 1);
   in.Distortion->SetTable(in.Builder, in.TransferFunction->GetClassifiedTable(),
-    in.TransferFunction->GetClassifiedTime(), levels, this->DistortionEstimate == SUMMARY);
+    in.TransferFunction->GetClassifiedTime(), levels, this->DistortionEstimate == SUMMARY,
+    this->UsesCuda());
   const vtkTypeInt64 leftOut = in.Builder->GetNumberOfNonFiniteSamples();
   if (leftOut > 0 && !in.HasWarnedOfSamples)
   {

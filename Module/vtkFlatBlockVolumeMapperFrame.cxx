@@ -140,7 +140,7 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
                           : this->PointOfInterest;
   const flatblock::VolumeView view =
     flatblock::GetVolumeView(renderer, volume, this, in.Input, point);
-  const bool isWeighted = isLimited && this->VisibilityWeighting;
+  const bool isWeighted = isLimited && this->VisibilityWeighting && view.HasPlainCamera;
   if (isWeighted)
   {
     this->UpdateClassified();

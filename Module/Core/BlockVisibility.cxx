@@ -194,7 +194,24 @@ private:
 std::vector<float> ComputeTransmittance(const BlockGrid& grid, const std::vector<float>& extinction,
   const std::array<double, 3>& spacing, const Viewpoint& viewpoint)
 {
-  Viewer viewer(grid, extinction, spacing, viewpoint);
+  // Blocks of which a part may take nothing away: cut off by the near plane, or by the volume's
+  // end.
+  std::vector<float> sure = extinction;
+  for (std::size_t i = 0; i < sure.size(); ++i)
+  {
+    const Index3 first = grid.GetFirstSample(static_cast<std::int64_t>(i));
+    const int cells = grid.GetCellsPerBlock();
+    double before = viewpoint.NearPlane[3];
+    bool isWhole = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double slope = viewpoint.NearPlane[axis];
+      before += std::min(slope * first[axis], slope * (first[axis] + cells));
+      isWhole = isWhole && first[axis] + cells < grid.GetSamples()[axis];
+    }
+    sure[i] = isWhole && before >= 0.0 ? sure[i] : 0.0F;
+  }
+  Viewer viewer(grid, sure, spacing, viewpoint);
   std::vector<float> transmittance(extinction.size());
   for (std::size_t block = 0; block < transmittance.size(); ++block)
   {

@@ -15,11 +15,13 @@ struct Viewpoint
   bool IsParallel = false;
   std::array<double, 3> Eye = {};   ///< perspective
   std::array<double, 3> Sight = {}; ///< parallel: direction
+  /// What has a x + b y + c z + d < 0 lies before the near plane, where nothing is drawn.
+  std::array<double, 4> NearPlane = { 0.0, 0.0, 0.0, 1.0 };
 
   bool operator==(const Viewpoint& other) const
   {
     return this->IsParallel == other.IsParallel && this->Eye == other.Eye &&
-           this->Sight == other.Sight;
+           this->Sight == other.Sight && this->NearPlane == other.NearPlane;
   }
 };
 

@@ -216,6 +216,38 @@ TEST(Distortion, OnlyWhatAnEditTouchesIsComputedAgain)
   EXPECT_FALSE(scene.Mapper->GetDistortionComplete());
 }
 
+// The same range and functions, but another type: another table.
+TEST(Distortion, AnotherTypeOfTheSameRangeIsComputedAnew)
+{
+  const auto make = [](int type)
+  {
+    return MakeVolume({ 65, 49, 49 }, type,
+      [](int x, int y, int z)
+      { return x + y + z == 0 ? 0 : (x == 64 ? 255 : (x * 31 + y * 17 + z * 7) % 256); });
+  };
+  const auto prepare = [&](Scene& scene, int type)
+  {
+    scene.SetVolume(make(type), 0.5);
+    scene.Mapper->SetBlockSize(17);
+    scene.Mapper->SetMaxMemoryInBytes(500000);
+    scene.Mapper->SetSelectionCriterionToDistortion();
+    scene.LookFrom(20.0, 30.0);
+  };
+  Scene walked;
+  walked.SetRamp(0.0, 255.0, 0.3);
+  prepare(walked, VTK_FLOAT);
+  walked.Draw();
+  prepare(walked, VTK_UNSIGNED_CHAR);
+  Scene fresh;
+  fresh.SetRamp(0.0, 255.0, 0.3);
+  prepare(fresh, VTK_UNSIGNED_CHAR);
+  walked.Mapper->SetMaxMemoryInBytes(400000);
+  fresh.Mapper->SetMaxMemoryInBytes(400000);
+  EXPECT_EQ(LargestDifference(walked.Draw(), fresh.Draw()), 0.0);
+  EXPECT_GT(fresh.Mapper->GetTotalDistortion(), 0.0);
+  EXPECT_EQ(walked.Mapper->GetTotalDistortion(), fresh.Mapper->GetTotalDistortion());
+}
+
 TEST(Distortion, BlocksOfOneColorAreNotVisited)
 {
   Scene scene;

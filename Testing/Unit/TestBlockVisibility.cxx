@@ -31,8 +31,9 @@ double GetOpticalDepth(const BlockGrid& grid, const std::vector<float>& extincti
     for (int axis = 0; axis < 3; ++axis)
     {
       const double at = from[axis] + (step + 0.5) / Steps * (to[axis] - from[axis]);
-      block[axis] = static_cast<int>(std::floor(at / grid.GetCellsPerBlock()));
-      isInside = isInside && block[axis] >= 0 && block[axis] < grid.GetBlocks()[axis];
+      isInside = isInside && at >= 0.0 && at <= grid.GetSamples()[axis] - 1.0;
+      const int last = grid.GetBlocks()[axis] - 1;
+      block[axis] = std::min(static_cast<int>(std::floor(at / grid.GetCellsPerBlock())), last);
     }
     depth += isInside ? extinction[grid.GetBlock(block)] * length / Steps : 0.0;
   }
@@ -43,7 +44,8 @@ double GetOpticalDepth(const BlockGrid& grid, const std::vector<float>& extincti
 TEST(BlockVisibility, WhatIsSeenIsNeverTakenForHidden)
 {
   std::mt19937 random(23);
-  const BlockGrid grid({ 145, 129, 161 }, 17);
+  // The last layers of two axes are partial.
+  const BlockGrid grid({ 146, 129, 170 }, 17);
   const std::int64_t blocks = grid.GetNumberOfBlocks();
   const Point spacing = { 1.0, 0.7, 1.6 };
   std::uniform_real_distribution<double> anywhere(0.0, 1.0);
@@ -73,7 +75,7 @@ TEST(BlockVisibility, WhatIsSeenIsNeverTakenForHidden)
       Point from = view.Eye;
       for (int axis = 0; axis < 3; ++axis)
       {
-        to[axis] = first[axis] + 16.0 * anywhere(random);
+        to[axis] = std::min(first[axis] + 16.0 * anywhere(random), grid.GetSamples()[axis] - 1.0);
         from[axis] = view.IsParallel ? to[axis] - 600.0 * view.Sight[axis] : from[axis];
       }
       const double depth = GetOpticalDepth(grid, extinction, spacing, from, to);
@@ -109,4 +111,18 @@ TEST(BlockVisibility, EyesInsideSeeWhatIsAroundThem)
     EXPECT_EQ(transmittance[grid.GetBlock(block)], 1.0F);
   }
   EXPECT_LT(transmittance[grid.GetBlock({ 5, 5, 8 })], 0.01F);
+}
+
+TEST(BlockVisibility, WhatLiesBeforeTheNearPlaneHidesNothing)
+{
+  const BlockGrid grid({ 161, 161, 161 }, 17);
+  const std::vector<float> extinction(1000, 0.5F);
+  Viewpoint view;
+  view.IsParallel = true;
+  view.Sight = { 0.0, 0.0, -1.0 };
+  view.NearPlane = { 0.0, 0.0, -1.0, 100.0 }; // at z = 100, in the seventh layer
+  const auto transmittance = ComputeTransmittance(grid, extinction, { 1.0, 1.0, 1.0 }, view);
+  EXPECT_EQ(transmittance[grid.GetBlock({ 5, 5, 6 })], 1.0F);
+  EXPECT_EQ(transmittance[grid.GetBlock({ 5, 5, 5 })], 1.0F);
+  EXPECT_LT(transmittance[grid.GetBlock({ 5, 5, 3 })], 0.01F);
 }
