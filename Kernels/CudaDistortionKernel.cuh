@@ -1,5 +1,5 @@
-/// Distortion of blocks on a CUDA device: one block of threads for each. Launches take a stream,
-/// return an error, and never synchronize.
+/// Distortion of blocks on a CUDA device: one block of threads for each.
+/// Launches take a stream, return an error, and never synchronize.
 #pragma once
 
 #include "DistortionArithmetic.h"
@@ -89,7 +89,8 @@ __device__ double ToPosition(const TableOnDevice& table, T value, double)
   return position > 0.0 ? (position < table.Last ? position : table.Last) : 0.0;
 }
 
-// The trilinear interpolant at a level, scaled by the stride's cube: exact for integers.
+// The trilinear interpolant at a level, scaled by the stride's cube: exact for
+// integers.
 template <typename Number, typename T>
 __device__ Number Interpolate(const VolumeOnDevice<T>& volume, const TableOnDevice& table,
   const Box& box, const int local[3], int level)
@@ -119,15 +120,20 @@ __device__ Number Interpolate(const VolumeOnDevice<T>& volume, const TableOnDevi
 }
 
 template <typename T>
-__device__ TablePosition GetCoarsePosition(const VolumeOnDevice<T>& volume,
-  const TableOnDevice& table, const Box& box, const int local[3], int level)
+__device__ ClassifiedColor GetSquare(const VolumeOnDevice<T>& volume, const TableOnDevice& table,
+  const Box& box, const int local[3], T value, int level)
 {
   if (HasIntegerPositions<T> && 3 * level <= MostExactShift)
   {
-    return ToTablePosition(Interpolate<std::int32_t>(volume, table, box, local, level), 3 * level);
+    const ClassifiedColor& fine = table.Colors[ToPosition(table, value, std::int32_t())];
+    const TablePosition coarse =
+      ToTablePosition(Interpolate<std::int32_t>(volume, table, box, local, level), 3 * level);
+    return GetSquaredDifference(
+      fine, table.Colors[coarse.Nearest], table.Colors[coarse.Next], coarse.Share);
   }
   const double unit = 1.0 / static_cast<double>(std::int64_t(1) << (3 * level));
-  return ToTablePosition(Interpolate<double>(volume, table, box, local, level) * unit);
+  return GetSquaredDifference(table.Colors, ToPosition(table, value, 0.0),
+    Interpolate<double>(volume, table, box, local, level) * unit);
 }
 
 template <typename T>
@@ -158,15 +164,11 @@ __global__ void ComputeBlocks(
       continue;
     }
     ++finite;
-    const TablePosition fine = HasIntegerPositions<T>
-                                 ? ToTablePosition(ToPosition(table, value, std::int32_t()), 0)
-                                 : ToTablePosition(ToPosition(table, value, 0.0));
     const bool isFull = ++terms == TermsPerSum;
     for (int level = 1; level <= Levels; ++level)
     {
       ClassifiedColor& sum = squares[level - 1];
-      sum = sum + GetSquaredDifference(
-                    table.Colors, fine, GetCoarsePosition(volume, table, box, local, level));
+      sum = sum + GetSquare(volume, table, box, local, value, level);
       if (isFull)
       {
         sums[level - 1] += (double(sum[0]) + sum[1]) + (double(sum[2]) + sum[3]);

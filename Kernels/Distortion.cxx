@@ -49,8 +49,8 @@ public:
   BlockDistortion(
     const T* samples, const BlockedVolume& volume, int levels, const ClassifiedTable& table)
     : Samples(samples), Volume(volume), Table(table), Fine(volume.Cells + 1),
-      Coarse(volume.Cells + 1), FinePositions(volume.Cells + 1), Values(volume.Cells + 1),
-      RealValues(volume.Cells + 1), IsFinite(volume.Cells + 1, 1)
+      FineReal(volume.Cells + 1), Coarse(volume.Cells + 1), Values(volume.Cells + 1),
+      CoarseReal(volume.Cells + 1), IsFinite(volume.Cells + 1, 1)
   {
     if constexpr (HasIntegerPositions<T>)
     {
@@ -186,7 +186,8 @@ private:
       }
       else
       {
-        this->FinePositions.Set(x, ToTablePosition(this->ToPosition(row[x], 0.0)));
+        this->FineReal[x] = this->ToPosition(row[x], 0.0);
+        this->Fine[x] = ToTablePosition(this->FineReal[x]).Nearest;
         if constexpr (std::is_floating_point_v<T>)
         {
           this->IsFinite[x] = std::isfinite(row[x]) ? 1 : 0;
@@ -214,11 +215,12 @@ private:
   {
     const int count = this->Count[0];
     level.SetRow(y);
-    level.GetRow(count, this->RealValues.data());
+    level.GetRow(count, this->CoarseReal.data());
     const double unit = std::ldexp(1.0, -level.GetShift());
     for (int x = 0; x < count; ++x)
     {
-      this->Coarse.Set(x, ToTablePosition(this->RealValues[x] * unit));
+      this->CoarseReal[x] *= unit;
+      this->Coarse.Set(x, ToTablePosition(this->CoarseReal[x]));
     }
     return this->AddRow();
   }
@@ -250,15 +252,14 @@ private:
     }
     else
     {
-      const RowPositions& fine = this->FinePositions;
       return this->IsFinite[x]
-               ? GetSquaredDifference(colors, { fine.Nearest[x], fine.Next[x], fine.Share[x] },
-                   { coarse.Nearest[x], coarse.Next[x], coarse.Share[x] })
+               ? GetSquaredDifference(colors, this->FineReal[x], this->CoarseReal[x])
                : ClassifiedColor{};
     }
   }
 
-  // Of the nearest entries of all samples, and so of all that is interpolated between them.
+  // Of the nearest entries of all samples, and so of all that is interpolated
+  // between them.
   void FindRange()
   {
     std::int32_t lowest = std::numeric_limits<std::int32_t>::max();
@@ -268,11 +269,10 @@ private:
       for (int y = 0; y < this->Count[1]; ++y)
       {
         this->ReadFineRow(y, z);
-        const auto& row = HasIntegerPositions<T> ? this->Fine : this->FinePositions.Nearest;
         for (int x = 0; x < this->Count[0]; ++x)
         {
-          lowest = std::min(lowest, row[x]);
-          highest = std::max(highest, row[x]);
+          lowest = std::min(lowest, this->Fine[x]);
+          highest = std::max(highest, this->Fine[x]);
         }
       }
     }
@@ -287,11 +287,10 @@ private:
 
   void CountRow(std::uint32_t* counts) const
   {
-    const auto& fine = HasIntegerPositions<T> ? this->Fine : this->FinePositions.Nearest;
     for (int x = 0; x < this->Count[0]; ++x)
     {
-      counts[this->GetBin(fine[x]) * BlockSummary::Bins + this->GetBin(this->Coarse.Nearest[x])] +=
-        this->IsFinite[x];
+      counts[this->GetBin(this->Fine[x]) * BlockSummary::Bins +
+             this->GetBin(this->Coarse.Nearest[x])] += this->IsFinite[x];
     }
   }
 
@@ -308,11 +307,11 @@ private:
   std::int32_t Last = 0;
   std::vector<std::unique_ptr<LevelInterpolator<std::int32_t>>> Exact;
   std::vector<std::unique_ptr<LevelInterpolator<double>>> Real;
-  std::vector<std::int32_t> Fine;
+  std::vector<std::int32_t> Fine; // nearest entries
+  std::vector<double> FineReal;   // positions, where they are no integers
   RowPositions Coarse;
-  RowPositions FinePositions;
   std::vector<std::int32_t> Values;
-  std::vector<double> RealValues;
+  std::vector<double> CoarseReal;
   std::vector<std::uint8_t> IsFinite;
   std::vector<double> Sums;
   std::array<int, 3> First = {};

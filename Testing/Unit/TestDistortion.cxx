@@ -334,3 +334,30 @@ TEST(Distortion, SummariesKeepTheirBounds)
             << " % on average; " << double(bytes) / (20.0 * double(blocks.size()))
             << " bytes a block of 9826\n";
 }
+
+// Interpolants so near to their samples that both lie between the same two
+// entries.
+TEST(Distortion, SmoothFieldsAreExactToo)
+{
+  std::mt19937 random(12);
+  const Index3 n = { 34, 20, 20 };
+  std::vector<double> samples(std::size_t(n[0]) * n[1] * n[2]);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const double x = double(i % n[0]) / n[0];
+    samples[i] = 0.4 + 0.1 * x + 1e-5 * x * x;
+  }
+  const auto table = MakeTable(0.0, 1.0, 4096, random);
+  const BlockGrid grid(n, 17);
+  const auto distortion = Compute(samples, grid, 3, table);
+  const Reference<double> reference(samples, grid, table);
+  for (std::int64_t block = 0; block < grid.GetNumberOfBlocks(); ++block)
+  {
+    for (int level = 1; level <= 3; ++level)
+    {
+      const double wanted = reference.Compute(block, level);
+      EXPECT_NEAR(distortion[block * 3 + level - 1], wanted, 1e-6 * wanted)
+        << block << " " << level;
+    }
+  }
+}
