@@ -258,8 +258,7 @@ private:
     }
   }
 
-  // Of the nearest entries of all samples, and so of all that is interpolated
-  // between them.
+  // Of the nearest entries of all samples, and so of all that is interpolated between them.
   void FindRange()
   {
     std::int32_t lowest = std::numeric_limits<std::int32_t>::max();

@@ -12,8 +12,7 @@
 
 namespace flatblock
 {
-/// One entry of the classified table: L*, u*, v* of the colour, and opacity in
-/// L*'s range.
+/// One entry of the classified table: L*, u*, v* of the colour, and opacity in L*'s range.
 struct alignas(16) ClassifiedColor
 {
   float Components[4];
@@ -76,8 +75,8 @@ FLATBLOCK_HOST_DEVICE inline ClassifiedColor operator*(float a, const Classified
 }
 #endif
 
-/// A position between two entries of the table. Counted from the nearest one,
-/// so that colours that are nearly equal are subtracted without cancellation.
+/// A position between two entries of the table. Counted from the nearest one, so that colours that
+/// are nearly equal are subtracted without cancellation.
 struct TablePosition
 {
   std::int32_t Nearest;
@@ -85,8 +84,7 @@ struct TablePosition
   float Share;       ///< of Next, in [0, 1/2]
 };
 
-/// The position numerator / 2^shift, exactly. The table has an entry after the
-/// last position.
+/// The position numerator / 2^shift, exactly. The table has an entry after the last position.
 FLATBLOCK_HOST_DEVICE inline TablePosition ToTablePosition(std::int32_t numerator, int shift)
 {
   const std::int32_t half = shift > 0 ? std::int32_t(1) << (shift - 1) : 0;
@@ -107,8 +105,7 @@ FLATBLOCK_HOST_DEVICE inline TablePosition ToTablePosition(double position)
     static_cast<float>(apart < 0.0 ? -apart : apart) };
 }
 
-/// The square of the difference of an entry and an interpolated colour,
-/// component by component.
+/// The square of the difference of an entry and an interpolated colour, component by component.
 FLATBLOCK_HOST_DEVICE inline ClassifiedColor GetSquaredDifference(const ClassifiedColor& color,
   const ClassifiedColor& nearest, const ClassifiedColor& next, float share)
 {
@@ -116,9 +113,8 @@ FLATBLOCK_HOST_DEVICE inline ClassifiedColor GetSquaredDifference(const Classifi
   return apart * apart;
 }
 
-/// The same of two real positions, each at least 0. Where they lie between the
-/// same two entries only the way between them counts, which is subtracted
-/// before it is rounded.
+/// The same of two real positions, each at least 0. Where they lie between the same two entries
+/// only the way between them counts, which is subtracted before it is rounded.
 FLATBLOCK_HOST_DEVICE inline ClassifiedColor GetSquaredDifference(
   const ClassifiedColor* table, double fine, double coarse)
 {

@@ -133,7 +133,6 @@ std::string vtkFlatBlockDistortion::Compute(
     this->IsWaiting[block] = 0;
   }
   this->Waiting.resize(static_cast<std::size_t>(waiting - count));
-  this->BlocksComputed += count;
   this->Modified();
   return problem;
 }

@@ -68,11 +68,6 @@ public:
    */
   vtkTypeInt64 GetSummaryBytes() const;
 
-  /**
-   * Blocks computed so far.
-   */
-  vtkTypeInt64 GetNumberOfBlocksComputed() const { return this->BlocksComputed; }
-
 protected:
   vtkFlatBlockDistortion() = default;
   ~vtkFlatBlockDistortion() override = default;
@@ -97,7 +92,6 @@ private:
   int Levels = 1;
   bool Summarizes = false;
   bool UsesCuda = false;
-  vtkTypeInt64 BlocksComputed = 0;
 };
 
 #endif

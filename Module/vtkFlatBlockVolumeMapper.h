@@ -185,12 +185,11 @@ public:
 
   ///@{
   /**
-   * What follows an edit of the transfer function. Exact (default): the blocks whose values it
-   * touches are computed again. Summary: each block is looked at once; what is kept of it, how
-   * often a value in one of 16 bins stands for one in another, tells e(b, l) for any transfer
-   * function within milliseconds. It is off by no more than the colours vary within a bin, and
-   * takes main memory: 0.5 % of a CT in blocks of 33, but up to 20 % of noise of 16 bit in blocks
-   * of 17.
+   * What follows an edit of the transfer function. Exact (default): blocks whose values it touches
+   * are computed again. Summary: each block is looked at once; how often a value in one of 16 bins
+   * stands for one in another tells e(b, l) for any function within milliseconds, off by no more
+   * than colours vary within a bin. It takes main memory: 0.5 % of a CT in blocks of 33, up to 20 %
+   * of noise of 16 bit in blocks of 17.
    */
   vtkSetClampMacro(DistortionEstimate, int, EXACT, SUMMARY);
   vtkGetMacro(DistortionEstimate, int);
@@ -337,13 +336,11 @@ public:
    */
   void PrintStatistics(ostream& os);
 
-  ///@{
   /**
    * Bounds of the input in data set coordinates; uninitialized where they are not finite.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
-  ///@}
 
   /**
    * Draws the volume. Called by vtkVolume.
@@ -375,7 +372,6 @@ private:
   void ShrinkAtlas();
   void UpdateLevels(vtkRenderer* renderer, vtkVolume* volume);
   void UpdateDistortion(vtkTypeInt64 mostBlocks);
-  void UpdateClassified();
   bool UsesCuda();
   vtkTypeInt64 GetBytesBesideAtlas(vtkRenderer* renderer) const;
   double GetStep() const;

@@ -24,13 +24,12 @@ bool vtkFlatBlockVolumeMapper::UsesCuda()
   return device.Answers;
 }
 
-void vtkFlatBlockVolumeMapper::UpdateClassified()
+void vtkFlatBlockVolumeMapper::vtkInternals::UpdateClassified()
 {
-  vtkInternals& in = *this->Internals;
-  flatblock::StageTimer timer(in.Statistics.DistortionMilliseconds);
+  flatblock::StageTimer timer(this->Statistics.DistortionMilliseconds);
   const bool everyInteger =
-    in.Builder->GetSource().GetEncoding().Format != flatblock::TexelFormat::Float32;
-  in.TransferFunction->UpdateClassified(in.Property, in.Builder->GetRange(), everyInteger);
+    this->Builder->GetSource().GetEncoding().Format != flatblock::TexelFormat::Float32;
+  this->TransferFunction->UpdateClassified(this->Property, this->Builder->GetRange(), everyInteger);
 }
 
 void vtkFlatBlockVolumeMapper::vtkInternals::UpdateTransmittance(const flatblock::VolumeView& view)
@@ -65,8 +64,8 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateTransmittance(const flatblock
 
 void vtkFlatBlockVolumeMapper::UpdateDistortion(vtkTypeInt64 mostBlocks)
 {
-  this->UpdateClassified();
   vtkInternals& in = *this->Internals;
+  in.UpdateClassified();
   flatblock::StageTimer timer(in.Statistics.DistortionMilliseconds);
   const flatblock::BrickSource& source = in.Builder->GetSource();
   const int levels =

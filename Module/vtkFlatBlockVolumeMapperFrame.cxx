@@ -143,7 +143,7 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
   const bool isWeighted = isLimited && this->VisibilityWeighting && view.HasPlainCamera;
   if (isWeighted)
   {
-    this->UpdateClassified();
+    in.UpdateClassified();
   }
   flatblock::StageTimer timer(in.Statistics.SelectionMilliseconds);
   if (isWeighted)

@@ -76,6 +76,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
     this->RayCaster->SetMemoryCounter(&this->Memory);
   }
 
+  void UpdateClassified();
   void UpdateTransmittance(const flatblock::VolumeView& view);
   flatblock::FramePlan PlanFrame(const flatblock::RefinementBudget* budget, bool continuity);
 

@@ -28,7 +28,6 @@ int GetCanonicalDepth(const std::vector<std::int8_t>& levels, const AtlasShape& 
   const std::int64_t depth = slabs * shape.GetSide(0) + shape.GetDepthOnTheWay();
   return static_cast<int>(std::min<std::int64_t>(depth, shape.GetDepth()));
 }
-
 } // namespace
 
 void Residency::Clear()
@@ -121,7 +120,9 @@ FramePlan Residency::PlanStep(const BlockGrid& grid, const std::vector<std::int8
       if (!this->TakePlaces(next, std::numeric_limits<std::int64_t>::max(), plan))
       {
         *this = before;
-        return this->PlanStill(grid, levels, shape, continuity);
+        plan = this->PlanStill(grid, levels, shape, continuity);
+        plan.NewAtlas = plan.NewAtlas || isNew;
+        return plan;
       }
     }
     plan.NewPlaces = true;

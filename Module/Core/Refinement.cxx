@@ -33,20 +33,17 @@ public:
   {
     this->ShowAndHide();
     this->SortChanges();
-    while (!this->Fits() && !this->Collapses.empty())
-    {
-      this->CollapseOne();
-    }
+    this->CollapseUntilItFits();
     if (!this->Fits())
     {
       return this->Target;
     }
     this->Refine();
-    // A coarser brick may begin a slab before the finer ones have left theirs.
-    while (!this->Collapses.empty() && (!this->Fits() || this->HasBudget(this->Collapses.back())))
+    while (this->CollapseWithinBudget())
     {
-      this->CollapseOne();
     }
+    // A coarser brick may have begun a slab before the finer ones left theirs.
+    this->CollapseUntilItFits();
     return this->Fits() ? this->Levels : this->Target;
   }
 
@@ -106,18 +103,20 @@ private:
     return GetBlockBorder(this->Own.Grid, this->Levels, block, this->Own.Borders);
   }
 
-  bool HasBudget(std::size_t block)
+  // False where that is beyond the budget, unless it is to be exceeded.
+  bool Change(std::size_t block, bool mayExceed)
   {
-    return this->IsFirst ||
-           (this->Budget.Blocks > 0 && this->GetTexels(block) <= this->Budget.Texels);
-  }
-
-  void Change(std::size_t block)
-  {
+    const std::int64_t texels = this->GetTexels(block);
+    const bool isAffordable = this->Budget.Blocks > 0 && texels <= this->Budget.Texels;
+    if (!isAffordable && !this->IsFirst && !mayExceed)
+    {
+      return false;
+    }
     --this->Budget.Blocks;
-    this->Budget.Texels -= this->GetTexels(block);
+    this->Budget.Texels -= texels;
     this->IsFirst = false;
     this->SetLevel(block, this->Target[block]);
+    return true;
   }
 
   void ShowAndHide()
@@ -206,16 +205,28 @@ private:
       [this](std::size_t a, std::size_t b) { return this->Order[a] > this->Order[b]; });
   }
 
-  void CollapseOne()
+  void CollapseUntilItFits()
   {
-    const std::size_t block = this->Collapses.back();
+    while (!this->Fits() && !this->Collapses.empty())
+    {
+      this->Change(this->Collapses.back(), true);
+      this->Collapses.pop_back();
+    }
+  }
+
+  bool CollapseWithinBudget()
+  {
+    if (this->Collapses.empty() || !this->Change(this->Collapses.back(), false))
+    {
+      return false;
+    }
     this->Collapses.pop_back();
-    this->Change(block);
+    return true;
   }
 
   void Refine()
   {
-    while (!this->Refinements.empty() && this->HasBudget(this->Refinements.back()))
+    while (!this->Refinements.empty())
     {
       const std::size_t block = this->Refinements.back();
       const std::int8_t before = this->Levels[block];
@@ -224,20 +235,19 @@ private:
       this->SetLevel(block, before);
       if (fits)
       {
-        this->Change(block);
+        if (!this->Change(block, false))
+        {
+          return;
+        }
         this->Refinements.pop_back();
       }
       else if (this->Collapses.empty())
       {
-        // Slabs of many levels, each begun: only all changes together fit.
-        this->Levels = this->Target;
+        // Slabs of many levels, each begun: only all changes together fit, in a frame of their own.
+        this->Levels = this->IsFirst ? this->Target : this->Levels;
         return;
       }
-      else if (this->HasBudget(this->Collapses.back()))
-      {
-        this->CollapseOne();
-      }
-      else
+      else if (!this->CollapseWithinBudget())
       {
         return;
       }

@@ -30,6 +30,7 @@ double GetFarthest(const std::vector<double>& offsets)
 {
   return std::max(std::abs(offsets.front()), std::abs(offsets.back()));
 }
+
 // By level: 1, or by how much less a brick of the next finer level takes than one of the finest.
 std::vector<float> GetWorths(const BlockGrid& grid, const BlockDistortion& distortion)
 {
@@ -41,6 +42,7 @@ std::vector<float> GetWorths(const BlockGrid& grid, const BlockDistortion& disto
   }
   return worths;
 }
+
 float GetError(const BlockDistortion& distortion, std::int64_t block, int level)
 {
   const float error =
