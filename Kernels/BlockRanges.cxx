@@ -38,7 +38,7 @@ public:
         const bool isFinite = std::isfinite(v);
         lowest[x] = isFinite && v < lowest[x] ? v : lowest[x];
         highest[x] = isFinite && v > highest[x] ? v : highest[x];
-        this->NotFinite[x] |= isFinite ? 0 : (v > T(0) ? Above : Below);
+        this->NotFinite[x] |= isFinite ? 0 : 1;
       }
       else
       {
@@ -62,16 +62,12 @@ public:
     }
     for (int x = first; x <= last && !this->NotFinite.empty(); ++x)
     {
-      range.HasBelow = range.HasBelow || (this->NotFinite[x] & Below) != 0;
-      range.HasAbove = range.HasAbove || (this->NotFinite[x] & Above) != 0;
+      range.HasHoles = range.HasHoles || this->NotFinite[x] != 0;
     }
     return range;
   }
 
 private:
-  static constexpr std::uint8_t Below = 1;
-  static constexpr std::uint8_t Above = 2;
-
   std::vector<T> Lowest;
   std::vector<T> Highest;
   std::vector<std::uint8_t> NotFinite;

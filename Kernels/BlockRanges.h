@@ -11,8 +11,7 @@ struct ValueRange
 {
   double Lowest = std::numeric_limits<double>::infinity();
   double Highest = -std::numeric_limits<double>::infinity();
-  bool HasBelow = false; ///< a sample is NaN or -infinity
-  bool HasAbove = false; ///< a sample is infinity
+  bool HasHoles = false; ///< a sample is NaN or infinite
 
   bool IsEmpty() const { return this->Lowest > this->Highest; }
 };

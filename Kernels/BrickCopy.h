@@ -3,16 +3,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 
 namespace flatblock
 {
+/// Stands for samples that are not finite: so much larger than 1 that whatever is interpolated from it
+/// is, too, whatever its weight, and still finite.
+constexpr float HoleTexel = 0x1p100F;
+
 /// The texel of a value, an unsigned integer or a float in [0, 1], so that
 /// value = offset + scale * texel, with integer texels counted as normalized.
 /// - integers of 8 and 16 bit: exact, offset = the volume's lowest value: so small differences keep
 ///   all their digits in single precision
-/// - other types: float, error <= scale / 2^24; NaN becomes 0, infinities become 0 or 1
+/// - other types: float, error <= scale / 2^24; NaN and infinities become HoleTexel
 template <typename T, typename Texel>
 class TexelEncoder
 {
@@ -32,8 +37,15 @@ public:
     }
     else
     {
+      if constexpr (std::is_floating_point_v<T>)
+      {
+        if (!std::isfinite(value))
+        {
+          return HoleTexel;
+        }
+      }
       const double texel = (static_cast<double>(value) - this->Offset) / this->Scale;
-      return texel > 0.0 ? static_cast<Texel>(std::min(texel, 1.0)) : Texel(0);
+      return static_cast<Texel>(std::clamp(texel, 0.0, 1.0));
     }
   }
 

@@ -81,7 +81,7 @@ __device__ std::int32_t ToPosition(const TableOnDevice& table, T value, std::int
   return max(0, min(position, static_cast<std::int32_t>(table.Last)));
 }
 
-// NaN and infinities as they are drawn.
+// NaN and infinities as the lowest or highest value; nothing is drawn around them.
 template <typename T>
 __device__ double ToPosition(const TableOnDevice& table, T value, double)
 {

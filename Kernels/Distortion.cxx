@@ -150,7 +150,7 @@ private:
     return std::clamp(static_cast<std::int32_t>(value) - this->Lowest, 0, this->Last);
   }
 
-  // NaN and infinities as they are drawn.
+  // NaN and infinities as the lowest or highest value; nothing is drawn around them.
   double ToPosition(T value, double) const
   {
     return this->Table.GetPosition(static_cast<double>(value));

@@ -110,22 +110,6 @@ private:
   flatblock::LevelFilter Filter;
 };
 
-// With NaN and infinities as the lowest and highest value of the volume.
-flatblock::ValueRange GetDrawnRange(flatblock::ValueRange range, const flatblock::ValueRange& whole)
-{
-  if (range.HasBelow)
-  {
-    range.Lowest = whole.Lowest;
-    range.Highest = std::max(range.Highest, whole.Lowest);
-  }
-  if (range.HasAbove)
-  {
-    range.Highest = whole.Highest;
-    range.Lowest = std::min(range.Lowest, whole.Highest);
-  }
-  return range;
-}
-
 // Looks only where the ranges say that there are any.
 template <typename T>
 vtkTypeInt64 CountNonFinite([[maybe_unused]] const T* samples, [[maybe_unused]] vtkIdType count,
@@ -135,7 +119,7 @@ vtkTypeInt64 CountNonFinite([[maybe_unused]] const T* samples, [[maybe_unused]] 
   if constexpr (std::is_floating_point_v<T>)
   {
     if (std::any_of(ranges.begin(), ranges.end(),
-          [](const flatblock::ValueRange& range) { return range.HasBelow || range.HasAbove; }))
+          [](const flatblock::ValueRange& range) { return range.HasHoles; }))
     {
 #pragma omp parallel for reduction(+ : found)
       for (vtkIdType i = 0; i < count; ++i)
@@ -203,10 +187,6 @@ void vtkFlatBlockBuilder::Build(const flatblock::BlockGrid& grid, const T* sampl
   if (this->Range.IsEmpty())
   {
     this->Range = { 0.0, 0.0 };
-  }
-  for (flatblock::ValueRange& range : this->BlockRanges)
-  {
-    range = GetDrawnRange(range, this->Range);
   }
   this->NonFiniteSamples =
     CountNonFinite(samples, this->Scalars->GetNumberOfValues(), this->BlockRanges);

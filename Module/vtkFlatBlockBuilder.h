@@ -39,7 +39,7 @@ public:
    * Valid after Update(), until the image's samples change.
    */
   const flatblock::BrickSource& GetSource() const { return *this->Source; }
-  /// As drawn: NaN and infinities count as the lowest or highest value of the volume.
+  /// Of finite samples.
   const std::vector<flatblock::ValueRange>& GetBlockRanges() const { return this->BlockRanges; }
 
   /**

@@ -46,7 +46,7 @@ int CountEntries(vtkVolumeProperty* property, const flatblock::ValueRange& range
   const double span = range.Highest - range.Lowest;
   if (span <= 0.0)
   {
-    return 1;
+    return 2;
   }
   int wanted = EstimateEntries(property->GetScalarOpacity(), range);
   if (property->GetColorChannels() != 1)
@@ -111,11 +111,12 @@ void CheckNodes(vtkVolumeProperty* property)
 } // namespace
 
 bool vtkFlatBlockTransferFunction::Update(
-  vtkVolumeProperty* property, const flatblock::ValueRange& range, double step)
+  vtkVolumeProperty* property, const flatblock::ValueRange& range, double unitOfLength)
 {
   const vtkMTimeType edited = GetLastEdit(property);
-  if (this->BuiltProperty == property && this->BuiltTime == edited && this->BuiltStep == step &&
-      this->Table.GetLowest() == range.Lowest && this->Table.GetHighest() == range.Highest)
+  if (this->BuiltProperty == property && this->BuiltTime == edited &&
+      this->BuiltUnit == unitOfLength && this->Table.GetLowest() == range.Lowest &&
+      this->Table.GetHighest() == range.Highest)
   {
     return false;
   }
@@ -125,17 +126,17 @@ bool vtkFlatBlockTransferFunction::Update(
   std::vector<double> opacities(count);
   property->GetScalarOpacity()->GetTable(range.Lowest, range.Highest, count, opacities.data());
 
-  const double steps = step / property->GetScalarOpacityUnitDistance();
+  const double distance = property->GetScalarOpacityUnitDistance() / unitOfLength;
   std::vector<flatblock::TransferTable::Entry> entries(count);
   for (int i = 0; i < count; ++i)
   {
     entries[i] = { colors[3 * i], colors[3 * i + 1], colors[3 * i + 2],
-      static_cast<float>(flatblock::CorrectOpacity(opacities[i], steps)) };
+      static_cast<float>(flatblock::GetExtinction(opacities[i], distance)) };
   }
   this->Table = flatblock::TransferTable(range.Lowest, range.Highest, std::move(entries));
   this->BuiltProperty = property;
   this->BuiltTime = edited;
-  this->BuiltStep = step;
+  this->BuiltUnit = unitOfLength;
   this->Modified();
   return true;
 }

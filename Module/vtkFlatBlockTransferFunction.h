@@ -24,13 +24,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Samples colour and scalar opacity of the first component over `range`, with the opacity of one
-   * step of length `step`. Has entries at every integer of ranges up to 8191, and as many as the
+   * Samples colour and scalar opacity of the first component over `range`, as the extinction of
+   * `unitOfLength`. Has entries at every integer of ranges up to 8191, and as many as the
    * nodes of the functions ask for, from 1024 to 8192.
    * @return whether the table was built anew
    * @throws std::runtime_error where a node of the functions is not a number
    */
-  bool Update(vtkVolumeProperty* property, const flatblock::ValueRange& range, double step);
+  bool Update(vtkVolumeProperty* property, const flatblock::ValueRange& range, double unitOfLength);
 
   /**
    * Samples the same as people see it, with the opacity of the unit distance: so it does not depend
@@ -56,7 +56,7 @@ private:
 
   vtkVolumeProperty* BuiltProperty = nullptr; // only compared with
   vtkMTimeType BuiltTime = 0;
-  double BuiltStep = 0.0;
+  double BuiltUnit = 0.0;
 
   flatblock::ClassifiedTable Classified;
   vtkTimeStamp ClassifiedTime;

@@ -146,8 +146,6 @@ void vtkFlatBlockVolumeMapper::WarnAboutIgnoredSettings(vtkVolume* volume)
   check(this->Internals->Input.Image->HasAnyBlankPoints(), "blanked points");
   check(this->Cropping != 0, "cropping");
   check(this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0, "clipping planes");
-  check(this->GetStep() > this->SampleDistance && this->SampleDistance > 0.0,
-    "a sample distance below a millionth of the diagonal");
   if (!ignored.empty() && ignored != this->Internals->LastWarning)
   {
     vtkWarningMacro(<< "Not supported and ignored: " << ignored << ".");
@@ -167,7 +165,6 @@ void vtkFlatBlockVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BlockSize: " << this->BlockSize << "\n";
-  os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "MaxMemoryInBytes: " << this->MaxMemoryInBytes << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "PointOfInterest: " << this->PointOfInterest[0] << " " << this->PointOfInterest[1]

@@ -13,8 +13,8 @@
  *
  * Input: vtkImageData, point data, one component, at least two samples along each axis. Integers of
  * 8 and 16 bit are kept as they are. All other types become 32-bit floats over the data's own
- * range: a value is off by at most 2^-24 of that range; NaN counts as the lowest value, and
- * infinite values as the lowest or highest.
+ * range: a value is off by at most 2^-24 of that range. Cells that have a NaN or an infinite value
+ * at a corner are not drawn, all others are unharmed; a warning counts such values once.
  *
  * From vtkVolumeProperty: colour, scalar opacity, ScalarOpacityUnitDistance, interpolation (linear
  * or nearest) of the first component. Blending is composite. Shading, gradient opacity, 2D transfer
@@ -29,18 +29,17 @@
 #ifndef vtkFlatBlockVolumeMapper_h
 #define vtkFlatBlockVolumeMapper_h
 
-#include "vtkFlatBlockVolumeRenderingModule.h" // for the export macro
-#include "vtkVolumeMapper.h"
+#include "vtkFlatBlockRayCastMapper.h"
 
 #include <memory> // for the internals
 
 class vtkRenderWindow;
 
-class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockVolumeMapper : public vtkVolumeMapper
+class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockVolumeMapper : public vtkFlatBlockRayCastMapper
 {
 public:
   static vtkFlatBlockVolumeMapper* New();
-  vtkTypeMacro(vtkFlatBlockVolumeMapper, vtkVolumeMapper);
+  vtkTypeMacro(vtkFlatBlockVolumeMapper, vtkFlatBlockRayCastMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -51,17 +50,6 @@ public:
    */
   void SetBlockSize(int samples);
   vtkGetMacro(BlockSize, int);
-  ///@}
-
-  ///@{
-  /**
-   * Distance between two samples along a ray, in the data set's unit of length (as in
-   * vtkGPUVolumeRayCastMapper, a scale of the prop does not change it). 0 (default): half of the
-   * smallest spacing. At most 2^20 samples are taken across the volume's diagonal; a distance that
-   * asks for more is lengthened, with a warning.
-   */
-  vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(SampleDistance, double);
   ///@}
 
   ///@{
@@ -318,6 +306,16 @@ public:
   vtkTypeInt64 GetMovedBytes() const;
   ///@}
 
+  /**
+   * Rays of the last frame that MaximumNumberOfSamples cut off before they were opaque or through.
+   */
+  vtkTypeInt64 GetNumberOfRaysCutOff() const;
+
+  /**
+   * ImageSampleDistance of the last frame.
+   */
+  double GetUsedImageSampleDistance() const;
+
   ///@{
   /**
    * Milliseconds that the last frame took on the CPU: block ranges and transfer table; distortion;
@@ -374,11 +372,16 @@ private:
   void UpdateDistortion(vtkTypeInt64 mostBlocks);
   bool UsesCuda();
   vtkTypeInt64 GetBytesBesideAtlas(vtkRenderer* renderer) const;
-  double GetStep() const;
+  double GetStep();
+  vtkTypeInt64 GetImageBytes(vtkRenderer* renderer) const;
+  void AdjustInteractiveFactor(double seconds, double allowed);
+  void DrawRays(vtkRenderer* renderer, vtkVolume* volume);
+  void CastRays(vtkRenderer* renderer, vtkVolume* volume);
+  void AdjustSampling(vtkRenderer* renderer, vtkVolume* volume);
+  void WarnAboutSamples();
   void WarnAboutIgnoredSettings(vtkVolume* volume);
 
   int BlockSize = 33;
-  double SampleDistance = 0.0;
   vtkTypeInt64 MaxMemoryInBytes = vtkTypeInt64(256) << 20;
   int NumberOfLevels = 4;
   int LevelFilter = SUBSAMPLE;

@@ -46,7 +46,8 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateTransmittance(const flatblock
     std::transform(ranges.begin(), ranges.end(), this->LeastExtinction.begin(),
       [&](const flatblock::ValueRange& range)
       {
-        const double opacity = table.GetLeastOpacity(range.Lowest, range.Highest);
+        const double opacity =
+          range.HasHoles ? 0.0 : table.GetLeastOpacity(range.Lowest, range.Highest);
         return static_cast<float>(
           std::min(-std::log1p(-std::min(opacity, 1.0)) / unit, MostExtinction));
       });
@@ -73,12 +74,6 @@ void vtkFlatBlockVolumeMapper::UpdateDistortion(vtkTypeInt64 mostBlocks)
   in.Distortion->SetTable(in.Builder, in.TransferFunction->GetClassifiedTable(),
     in.TransferFunction->GetClassifiedTime(), levels, this->DistortionEstimate == SUMMARY,
     this->UsesCuda());
-  const vtkTypeInt64 leftOut = in.Builder->GetNumberOfNonFiniteSamples();
-  if (leftOut > 0 && !in.HasWarnedOfSamples)
-  {
-    vtkWarningMacro(<< leftOut << " samples are not finite; distortions leave them out.");
-  }
-  in.HasWarnedOfSamples = leftOut > 0;
   if (in.Distortion->IsComplete())
   {
     return;

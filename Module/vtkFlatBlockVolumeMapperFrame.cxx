@@ -14,15 +14,6 @@
 
 // One frame of vtkFlatBlockVolumeMapper: the stages, in the order in which data flows through them.
 
-namespace
-{
-bool IsInteractive(vtkRenderer* renderer)
-{
-  constexpr double InteractiveUpdateRate = 1.0;
-  return renderer->GetRenderWindow()->GetDesiredUpdateRate() >= InteractiveUpdateRate;
-}
-} // namespace
-
 void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
@@ -48,21 +39,48 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
                              std::to_string(this->BlendMode) + ".");
   }
   in.Input = flatblock::GetVolumeInput(*this);
+  this->AdjustSampling(renderer, volume);
   this->WarnAboutIgnoredSettings(volume);
   in.Statistics = flatblock::FrameStatistics{ 0, 0, in.Statistics.FramesSinceChange + 1 };
   this->UpdateBlocks();
+  this->WarnAboutSamples();
   this->UpdateTransferTable(volume);
   this->UpdateAtlas(renderer, volume);
+  this->DrawRays(renderer, volume);
+}
 
-  flatblock::StageTimer timer(in.Statistics.DrawMilliseconds);
+void vtkFlatBlockVolumeMapper::DrawRays(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkInternals& in = *this->Internals;
+  const bool adjusts = this->AutoAdjustSampleDistances && flatblock::IsInteractive(renderer);
+  double milliseconds = 0.0;
+  {
+    flatblock::StageTimer timer(milliseconds);
+    this->CastRays(renderer, volume);
+    if (adjusts)
+    {
+      vtkOpenGLFlatBlockRayCaster::Finish();
+    }
+  }
+  in.Statistics.DrawMilliseconds = milliseconds;
+  if (adjusts)
+  {
+    this->AdjustInteractiveFactor(1e-3 * milliseconds, volume->GetAllocatedRenderTime());
+  }
+}
+
+void vtkFlatBlockVolumeMapper::CastRays(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkInternals& in = *this->Internals;
   vtkOpenGLFlatBlockRayCaster::Scene scene;
   scene.Source = &in.Builder->GetSource();
   scene.Atlas = in.Atlas;
   scene.SampleToDataSet = in.Input.SampleToDataSet;
   scene.DataSetToWorld = volume->GetMatrix();
-  scene.Step = this->GetStep();
   scene.LinearInterpolation =
     volume->GetProperty()->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
+  scene.HasHoles = in.Builder->GetNumberOfNonFiniteSamples() > 0;
+  scene.Sampling = in.Sampling;
   if (!in.RayCaster->Draw(renderer, scene))
   {
     throw std::runtime_error("The ray caster's shader could not be built.");
@@ -88,7 +106,8 @@ void vtkFlatBlockVolumeMapper::UpdateTransferTable(vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
   flatblock::StageTimer timer(in.Statistics.RangeMilliseconds);
-  in.TransferFunction->Update(volume->GetProperty(), in.Builder->GetRange(), this->GetStep());
+  in.TransferFunction->Update(
+    volume->GetProperty(), in.Builder->GetRange(), in.Sampling.UnitOfLength);
   const flatblock::TransferTable& table = in.TransferFunction->GetTable();
   if (std::max(in.TransferFunction->GetMTime(), in.Builder->GetMTime()) > in.VisibleBlocksTime)
   {
@@ -105,12 +124,11 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer
 {
   const vtkInternals& in = *this->Internals;
   const int* size = renderer->GetSize();
-  const auto table =
-    in.TransferFunction->GetTable().GetEntries().size() * sizeof(flatblock::TransferTable::Entry);
   // Rounded up, so that not each step of a window that is being resized changes the atlas.
   return vtkOpenGLFlatBlockAtlas::GetIndexBytes(this->GetNumberOfBlocks()) +
          flatblock::RoundUp(vtkOpenGLFlatBlockSceneDepth::GetBytes(size[0], size[1])) +
-         static_cast<vtkTypeInt64>(table);
+         vtkOpenGLFlatBlockRayCaster::GetTableBytes(in.TransferFunction->GetTable(), in.Sampling) +
+         this->GetImageBytes(renderer);
 }
 
 void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* volume)
@@ -132,7 +150,7 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
                   ? vtkFlatBlockLevels::Criterion::Distortion
                   : vtkFlatBlockLevels::Criterion::DistortionAndDistance;
     this->UpdateDistortion(
-      IsInteractive(renderer) ? this->DistortionBlocksPerFrame : VTK_TYPE_INT64_MAX);
+      flatblock::IsInteractive(renderer) ? this->DistortionBlocksPerFrame : VTK_TYPE_INT64_MAX);
     in.IsDistortionCurrent = in.Distortion->IsComplete();
   }
   const double* point = this->UseCameraAsPointOfInterest
@@ -194,15 +212,16 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
     in.CardLimit = {};
   }
   const flatblock::TransferTable& table = in.TransferFunction->GetTable();
-  in.RayCaster->ReleaseStale(renderer, table);
+  in.RayCaster->ReleaseStale(renderer, table, in.Sampling);
   while (!this->TryAtlas(renderer, volume))
   {
     this->ShrinkAtlas();
   }
-  if (!in.RayCaster->HasTransferTable() || in.TransferFunction->GetMTime() > in.TransferTextureTime)
+  if (!in.RayCaster->HasTransferTable(in.Sampling) ||
+      in.TransferFunction->GetMTime() > in.TransferTextureTime)
   {
     flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
-    in.RayCaster->SetTransferTable(in.Window, table);
+    in.RayCaster->SetTransferTable(in.Window, table, in.Sampling);
     in.TransferTextureTime.Modified();
   }
 }
@@ -218,8 +237,8 @@ bool vtkFlatBlockVolumeMapper::TryAtlas(vtkRenderer* renderer, vtkVolume* volume
     this->RefinementFraction * static_cast<double>(this->GetNumberOfBlocks()));
   budget.Texels = this->UploadBytesPerFrame /
                   static_cast<vtkTypeInt64>(BytesPerTexel(source.GetEncoding().Format));
-  const flatblock::FramePlan frame =
-    in.PlanFrame(IsInteractive(renderer) ? &budget : nullptr, this->InterblockContinuity);
+  const flatblock::FramePlan frame = in.PlanFrame(
+    flatblock::IsInteractive(renderer) ? &budget : nullptr, this->InterblockContinuity);
 
   flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
   if (!in.Atlas->Execute(in.Window, frame, in.Residency, source))
@@ -261,14 +280,4 @@ void vtkFlatBlockVolumeMapper::ShrinkAtlas()
   }
   in.CardLimit = { smaller, this->MaxMemoryInBytes };
   in.Residency.Clear();
-}
-
-// A float has 24 bits: with more samples a ray, neighbours could fall together.
-double vtkFlatBlockVolumeMapper::GetStep() const
-{
-  constexpr double MostSamples = 1 << 20;
-  const flatblock::VolumeInput& input = this->Internals->Input;
-  const double wanted =
-    this->SampleDistance > 0.0 ? this->SampleDistance : 0.5 * input.SmallestSpacing;
-  return std::max(wanted, input.Diagonal / MostSamples);
 }

@@ -47,6 +47,9 @@ struct CardLimit
   vtkTypeInt64 FoundFor = 0; ///< MaxMemoryInBytes that was too much, 0: none was
 };
 
+/// Whether the renderer's window is to be quick: where its desired update rate is 1 or more.
+bool IsInteractive(vtkRenderer* renderer);
+
 /// Adds the time until it goes out of scope.
 class StageTimer
 {
@@ -94,6 +97,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the textures
   flatblock::VolumeInput Input;
+  flatblock::RaySampling Sampling; // of this frame
+  double InteractiveFactor = 1.0;  // by which interactive frames lengthen their distances
   vtkTimeStamp VisibleBlocksTime;
   vtkTimeStamp TransferTextureTime;
   vtkTimeStamp ExtinctionTime;
@@ -108,6 +113,6 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   std::string LastWarning;
   bool IsDistortionCurrent = true; // or not asked for
   bool HasCudaFailed = false;
-  bool HasWarnedOfSamples = false;
+  std::string LastSampleWarning;
   vtkSmartPointer<vtkVolumeProperty> Property; // of the last frame
 };

@@ -128,6 +128,8 @@ void vtkFlatBlockVolumeMapper::PrintStatistics(ostream& os)
      << " free, " << this->GetUnusableAtlasBytes() << " unusable\n";
   os << "Last frame: " << this->GetUploadedBytes() << " bytes uploaded, " << this->GetMovedBytes()
      << " moved\n";
+  os << "Rays: one for " << this->GetUsedImageSampleDistance() << " pixels along both axes, "
+     << this->GetNumberOfRaysCutOff() << " cut off\n";
   os << "Changes pending: " << this->GetNumberOfPendingChanges() << "\n";
   os << "Frames since the last change: " << this->GetFramesSinceLastChange() << "\n";
   os << "Milliseconds: ranges " << this->GetRangeMilliseconds() << ", distortion "

@@ -2,11 +2,13 @@
 
 #include "vtkOpenGLFlatBlockRayCaster.h"
 
+#include "TransferIntegrals.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLFlatBlockAtlas.h"
+#include "vtkOpenGLFlatBlockRayImage.h"
 #include "vtkOpenGLFlatBlockSceneDepth.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -17,20 +19,25 @@
 #include "vtkTextureObject.h"
 
 #include "FlatBlockBlocksGLSL.h"
+#include "FlatBlockPostInterpolationGLSL.h"
+#include "FlatBlockPreIntegratedGLSL.h"
+#include "FlatBlockPreInterpolationGLSL.h"
 #include "FlatBlockRayCasterFragmentGLSL.h"
 #include "FlatBlockRayCasterVertexGLSL.h"
 #include "FlatBlockRayGLSL.h"
+#include "FlatBlockTransferTableGLSL.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkOpenGLFlatBlockRayCaster);
 
 namespace
 {
 constexpr int CubeStripVertices = 14;
-constexpr float EnoughOpacity = 1.0F - 1.0F / 255.0F;
 
 // VTK's key matrices are transposed; from here on they are not.
 void GetSampleToClip(vtkRenderer* renderer, vtkMatrix4x4* sampleToWorld, vtkMatrix4x4* sampleToClip)
@@ -64,23 +71,69 @@ std::array<float, 4> GetEye(vtkMatrix4x4* sampleToClip, bool parallel)
     static_cast<float>(-eye[2] / length), parallel ? 0.0F : 1.0F };
 }
 
+const char* GetClassification(flatblock::Classification method)
+{
+  switch (method)
+  {
+  case flatblock::Classification::PreIntegrated:
+    return FlatBlockPreIntegratedGLSL;
+  case flatblock::Classification::PreInterpolation:
+    return FlatBlockPreInterpolationGLSL;
+  default:
+    return FlatBlockPostInterpolationGLSL;
+  }
+}
+
+std::string GetDefines(const vtkOpenGLFlatBlockRayCaster::Scene& scene)
+{
+  std::string defines;
+  const auto define = [&defines](bool isSet, const char* name)
+  { defines += isSet ? "#define " + std::string(name) + "\n" : std::string(); };
+  define(scene.HasHoles, "FLATBLOCK_HOLES");
+  define(scene.Sampling.Jittering, "FLATBLOCK_JITTERING");
+  define(scene.Sampling.MostSamples > 0, "FLATBLOCK_SAMPLE_LIMIT");
+  define(scene.Sampling.RayStart > 0.0, "FLATBLOCK_RAY_START");
+  return defines;
+}
+
 // The window's cache of shaders compiles it once; nothing here outlives the window.
-vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window)
+vtkShaderProgram* ReadyProgram(
+  vtkOpenGLRenderWindow* window, const vtkOpenGLFlatBlockRayCaster::Scene& scene)
 {
   std::string fragment = FlatBlockRayCasterFragmentGLSL;
+  vtkShaderProgram::Substitute(fragment, "//FlatBlock::Defines", GetDefines(scene));
   vtkShaderProgram::Substitute(fragment, "//FlatBlock::Ray", FlatBlockRayGLSL);
   vtkShaderProgram::Substitute(fragment, "//FlatBlock::Blocks", FlatBlockBlocksGLSL);
+  vtkShaderProgram::Substitute(fragment, "//FlatBlock::TransferTable", FlatBlockTransferTableGLSL);
+  vtkShaderProgram::Substitute(
+    fragment, "//FlatBlock::Classification", GetClassification(scene.Sampling.Method));
   return window->GetShaderCache()->ReadyShaderProgram(
     FlatBlockRayCasterVertexGLSL, fragment.c_str(), "");
 }
 
-void SetRow(vtkShaderProgram* program, const char* name, vtkMatrix4x4* matrix, int row)
+using Row = std::array<double, 4>;
+
+Row GetRow(vtkMatrix4x4* matrix, int row)
+{
+  return { matrix->GetElement(row, 0), matrix->GetElement(row, 1), matrix->GetElement(row, 2),
+    matrix->GetElement(row, 3) };
+}
+
+Row Combine(const Row& a, double factor, const Row& b)
+{
+  return { a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2], a[3] + factor * b[3] };
+}
+
+double Apply(const Row& row, const std::array<float, 3>& point, double share)
+{
+  return share * (row[0] * point[0] + row[1] * point[1] + row[2] * point[2]) + row[3];
+}
+
+void SetRow(vtkShaderProgram* program, const char* name, const Row& row, double scale = 1.0)
 {
   float values[4];
-  for (int i = 0; i < 4; ++i)
-  {
-    values[i] = static_cast<float>(matrix->GetElement(row, i));
-  }
+  std::transform(row.begin(), row.end(), values,
+    [scale](double value) { return static_cast<float>(value * scale); });
   program->SetUniform4f(name, values);
 }
 
@@ -109,46 +162,90 @@ void vtkOpenGLFlatBlockRayCaster::SetMemoryCounter(flatblock::MemoryCounter* cou
 {
   this->TableBytes.SetCounter(counter);
   this->SceneDepth->SetMemoryCounter(counter);
+  this->RayImage->SetMemoryCounter(counter);
 }
 
-void vtkOpenGLFlatBlockRayCaster::ReleaseStale(
-  vtkRenderer* renderer, const flatblock::TransferTable& table)
+namespace
+{
+int GetRows(const flatblock::RaySampling& sampling)
+{
+  return sampling.Method == flatblock::Classification::PreIntegrated ? flatblock::TransferRows : 1;
+}
+} // namespace
+
+vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetTableBytes(
+  const flatblock::TransferTable& table, const flatblock::RaySampling& sampling)
+{
+  return static_cast<vtkTypeInt64>(
+    GetRows(sampling) * table.GetEntries().size() * sizeof(flatblock::TransferTable::Entry));
+}
+
+vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetImageBytes(
+  vtkRenderer* renderer, const flatblock::RaySampling& sampling)
+{
+  return sampling.HasImage() ? vtkOpenGLFlatBlockRayImage::GetBytes(renderer, sampling.PixelsPerRay)
+                             : 0;
+}
+
+void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
+  const flatblock::TransferTable& table, const flatblock::RaySampling& sampling)
 {
   this->SceneDepth->ReleaseIfStale(renderer);
-  if (this->TransferTexture->GetWidth() != table.GetEntries().size())
+  if (this->TableBytes.Get() != GetTableBytes(table, sampling))
   {
     this->TransferTexture->ReleaseGraphicsResources(renderer->GetRenderWindow());
     this->TableBytes.Set(0);
   }
+  if (sampling.HasImage())
+  {
+    this->RayImage->ReleaseIfStale(renderer, sampling.PixelsPerRay);
+  }
+  else
+  {
+    this->RayImage->ReleaseGraphicsResources(renderer->GetRenderWindow());
+  }
 }
 
-void vtkOpenGLFlatBlockRayCaster::SetTransferTable(
-  vtkOpenGLRenderWindow* window, const flatblock::TransferTable& table)
+void vtkOpenGLFlatBlockRayCaster::SetTransferTable(vtkOpenGLRenderWindow* window,
+  const flatblock::TransferTable& table, const flatblock::RaySampling& sampling)
 {
   static_assert(sizeof(flatblock::TransferTable::Entry) == 4 * sizeof(float));
-  const auto& entries = table.GetEntries();
+  const int rows = GetRows(sampling);
+  const auto width = static_cast<unsigned int>(table.GetEntries().size());
+  std::vector<flatblock::TransferTable::Entry> texels =
+    rows > 1 ? flatblock::IntegrateTransferTable(table) : table.GetEntries();
   this->TransferTexture->SetContext(window);
   this->TransferTexture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->TransferTexture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->TransferTexture->SetMinificationFilter(vtkTextureObject::Linear);
-  this->TransferTexture->SetMagnificationFilter(vtkTextureObject::Linear);
-  this->TransferTexture->Create2DFromRaw(static_cast<unsigned int>(entries.size()), 1, 4, VTK_FLOAT,
-    const_cast<flatblock::TransferTable::Entry*>(entries.data()));
-  this->TableBytes.Set(static_cast<std::int64_t>(entries.size() * sizeof(entries[0])));
+  this->TransferTexture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->TransferTexture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->TransferTexture->Create2DFromRaw(width, rows, 4, VTK_FLOAT, texels.data());
+  this->TableBytes.Set(GetTableBytes(table, sampling));
   this->TableLowest = table.GetLowest();
   this->TableHighest = table.GetHighest();
 }
 
-bool vtkOpenGLFlatBlockRayCaster::HasTransferTable() const
+bool vtkOpenGLFlatBlockRayCaster::HasTransferTable(const flatblock::RaySampling& sampling) const
 {
-  return this->TransferTexture->GetHandle() != 0;
+  return this->TransferTexture->GetHandle() != 0 &&
+         static_cast<int>(this->TransferTexture->GetHeight()) == GetRows(sampling);
+}
+
+void vtkOpenGLFlatBlockRayCaster::Finish()
+{
+  glFinish();
+}
+
+vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetRaysCutOff() const
+{
+  return this->RayImage->GetRaysCutOff();
 }
 
 bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->SceneDepth->Capture(renderer);
-  vtkShaderProgram* program = ReadyProgram(window);
+  vtkShaderProgram* program = ReadyProgram(window, scene);
   if (!program)
   {
     return false;
@@ -157,38 +254,91 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
   vtkNew<vtkMatrix4x4> sampleToClip;
   vtkMatrix4x4::Multiply4x4(scene.DataSetToWorld, scene.SampleToDataSet, sampleToWorld);
   GetSampleToClip(renderer, sampleToWorld, sampleToClip);
-  const bool parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
-  program->SetUniform4f("in_Eye", GetEye(sampleToClip, parallel).data());
-  this->SetGeometry(program, scene, sampleToClip);
-  this->SetBlocks(program, scene);
-  this->SetClassification(program, scene);
+  this->SetUniforms(renderer, program, scene, sampleToClip);
+  if (scene.Sampling.RayStart > 0.0)
+  {
+    SetDirections(program, "in_SampleToWorld", sampleToWorld, 1.0);
+  }
 
   // A projection to clip coordinates turns space over once.
-  this->DrawBox(window, sampleToClip->Determinant() > 0.0);
+  const bool isDrawn = this->DrawRays(renderer, scene, sampleToClip->Determinant() > 0.0);
 
   for (vtkTextureObject* texture : { scene.Atlas->GetBricks(), scene.Atlas->GetBlockIndex(),
          this->TransferTexture.Get(), this->SceneDepth->GetTexture() })
   {
     texture->Deactivate();
   }
-  return true;
+  return isDrawn;
 }
 
+void vtkOpenGLFlatBlockRayCaster::SetUniforms(
+  vtkRenderer* renderer, vtkShaderProgram* program, const Scene& scene, vtkMatrix4x4* sampleToClip)
+{
+  const bool parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  program->SetUniform4f("in_Eye", GetEye(sampleToClip, parallel).data());
+  this->SetGeometry(program, scene, sampleToClip);
+  this->SetRays(renderer, program, scene);
+  this->SetBlocks(program, scene);
+  this->SetClassification(program, scene);
+}
+
+// Planes are scaled and shifted so that little cancels in single precision, however far the camera
+// and the origin are.
 void vtkOpenGLFlatBlockRayCaster::SetGeometry(
   vtkShaderProgram* program, const Scene& scene, vtkMatrix4x4* sampleToClip)
 {
   const auto lastSample = ToFloats(scene.Source->GetGrid().GetSamples(), -1);
   program->SetUniform3f("in_LastSample", lastSample.data());
-  SetDirections(program, "in_SampleToSteps", scene.SampleToDataSet, scene.Step);
-  SetRow(program, "in_SampleToClipZ", sampleToClip, 2);
-  SetRow(program, "in_SampleToClipW", sampleToClip, 3);
+  SetDirections(program, "in_SampleToSteps", scene.SampleToDataSet, scene.Sampling.Step);
   vtkNew<vtkMatrix4x4> columns;
   vtkMatrix4x4::Transpose(sampleToClip, columns);
   program->SetUniformMatrix("in_SampleToClip", columns);
 
+  const Row z = GetRow(sampleToClip, 2);
+  const Row w = GetRow(sampleToClip, 3);
+  const Row nearPlane = Combine(z, 1.0, w);
+  const double nearLength = std::hypot(nearPlane[0], nearPlane[1], nearPlane[2]);
+  SetRow(program, "in_NearPlane", nearPlane, 1.0 / nearLength);
+
+  const double centerZ = Apply(z, lastSample, 0.5);
+  const double centerW = Apply(w, lastSample, 0.5);
+  const auto depth =
+    static_cast<float>(centerW > 0.0 ? std::clamp(centerZ / centerW, -1.0, 1.0) : 0.0);
+  const double scale = centerW != 0.0 ? 1.0 / std::abs(centerW) : 1.0;
+  program->SetUniformf("in_DepthOfCenter", depth);
+  SetRow(program, "in_SampleToDepth", Combine(z, -depth, w), scale);
+  SetRow(program, "in_SampleToClipW", w, scale);
+}
+
+void vtkOpenGLFlatBlockRayCaster::SetRays(
+  vtkRenderer* renderer, vtkShaderProgram* program, const Scene& scene)
+{
+  const flatblock::RaySampling& sampling = scene.Sampling;
+  const int imageOrigin[2] = { 0, 0 };
+  float pixelsPerRay[2] = { 1.0F, 1.0F };
+  if (sampling.HasImage())
+  {
+    const auto rays = vtkOpenGLFlatBlockRayImage::GetSize(renderer, sampling.PixelsPerRay);
+    vtkTextureObject* depth = this->SceneDepth->GetTexture();
+    pixelsPerRay[0] = static_cast<float>(depth->GetWidth()) / static_cast<float>(rays[0]);
+    pixelsPerRay[1] = static_cast<float>(depth->GetHeight()) / static_cast<float>(rays[1]);
+  }
   this->SceneDepth->GetTexture()->Activate();
   program->SetUniformi("in_SceneDepth", this->SceneDepth->GetTexture()->GetTextureUnit());
-  program->SetUniform2i("in_ViewportOrigin", this->SceneDepth->GetOrigin());
+  program->SetUniform2i(
+    "in_ViewportOrigin", sampling.HasImage() ? imageOrigin : this->SceneDepth->GetOrigin());
+  program->SetUniform2f("in_PixelsPerRay", pixelsPerRay);
+  program->SetUniformf("in_StepLength", static_cast<float>(sampling.Step / sampling.UnitOfLength));
+  program->SetUniformf("in_EnoughOpacity", static_cast<float>(sampling.EnoughOpacity));
+  program->SetUniformf("in_AdaptiveSampling", sampling.Adaptive ? 1.0F : 0.0F);
+  if (sampling.MostSamples > 0)
+  {
+    program->SetUniformi("in_MaximumNumberOfSamples", sampling.MostSamples);
+  }
+  if (sampling.RayStart > 0.0)
+  {
+    program->SetUniformf("in_RayStart", static_cast<float>(sampling.RayStart));
+  }
 }
 
 void vtkOpenGLFlatBlockRayCaster::SetBlocks(vtkShaderProgram* program, const Scene& scene)
@@ -210,41 +360,60 @@ void vtkOpenGLFlatBlockRayCaster::SetBlocks(vtkShaderProgram* program, const Sce
   program->SetUniform1iv("in_Blocks", 3, grid.GetBlocks().data());
 }
 
-// A texel t is the value offset + scale * t, and lies in the table's texture where entry 0 has its
-// centre at 0.5 / entries and the last one at 1 - 0.5 / entries.
+// A texel t is the value offset + scale * t.
 void vtkOpenGLFlatBlockRayCaster::SetClassification(vtkShaderProgram* program, const Scene& scene)
 {
   const flatblock::TexelEncoding& encoding = scene.Source->GetEncoding();
-  const double entries = this->TransferTexture->GetWidth();
   const double span = this->TableHighest - this->TableLowest;
-  const double valueToTable = span > 0.0 ? (entries - 1.0) / entries / span : 0.0;
-  const float texelToTable[2] = { static_cast<float>(encoding.Scale * valueToTable),
-    static_cast<float>((encoding.Offset - this->TableLowest) * valueToTable + 0.5 / entries) };
+  const double entriesPerValue = span > 0.0 ? (this->TransferTexture->GetWidth() - 1) / span : 0.0;
+  const float texelToTable[2] = { static_cast<float>(encoding.Scale * entriesPerValue),
+    static_cast<float>((encoding.Offset - this->TableLowest) * entriesPerValue) };
   this->TransferTexture->Activate();
   program->SetUniformi("in_TransferTable", this->TransferTexture->GetTextureUnit());
   program->SetUniform2f("in_TexelToTable", texelToTable);
-  program->SetUniformf("in_EnoughOpacity", EnoughOpacity);
 }
 
-// Only the faces where rays leave the box are drawn, so that the eye may be inside. They are not
-// cut at the clipping planes of the camera: the shader does that along the ray.
-void vtkOpenGLFlatBlockRayCaster::DrawBox(vtkOpenGLRenderWindow* window, bool mirrored)
+// Into an image of their own, or the window itself. Nothing but the blend function is left changed
+// when this returns, and that only for a scope.
+bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& scene, bool mirrored)
 {
-  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState* state =
+    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetState();
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglDepthMask depthMask(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
-  int culledBefore = 0;
-  glGetIntegerv(GL_CULL_FACE_MODE, &culledBefore);
-
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (!scene.Sampling.HasImage())
+  {
+    state->vtkglEnable(GL_BLEND);
+    this->DrawBox(state, mirrored);
+    return true;
+  }
+  this->RayImage->Begin(renderer, scene.Sampling.PixelsPerRay);
+  {
+    vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_BLEND);
+    this->DrawBox(state, mirrored);
+  }
+  this->RayImage->End(scene.Sampling.MostSamples > 0);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_BLEND);
+  return this->RayImage->Draw(renderer);
+}
+
+// Only the faces where rays leave the box are drawn, so that the eye may be inside. They are not
+// cut at the clipping planes of the camera: the shader does that along the ray.
+void vtkOpenGLFlatBlockRayCaster::DrawBox(vtkOpenGLState* state, bool mirrored)
+{
+  int culledBefore = 0;
+  glGetIntegerv(GL_CULL_FACE_MODE, &culledBefore);
   state->vtkglEnable(GL_CULL_FACE);
   state->vtkglCullFace(mirrored ? GL_BACK : GL_FRONT);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   const bool clampedBefore = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP);
 
@@ -266,6 +435,7 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseGraphicsResources(vtkWindow* window)
   this->TransferTexture->ReleaseGraphicsResources(window);
   this->TableBytes.Set(0);
   this->SceneDepth->ReleaseGraphicsResources(window);
+  this->RayImage->ReleaseGraphicsResources(window);
 }
 
 void vtkOpenGLFlatBlockRayCaster::PrintSelf(ostream& os, vtkIndent indent)

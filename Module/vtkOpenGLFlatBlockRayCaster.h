@@ -8,14 +8,17 @@
 
 #include "BrickSource.h"
 #include "MemoryCounter.h"
+#include "RaySampling.h"
 #include "TransferTable.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
 
 class vtkMatrix4x4;
 class vtkOpenGLFlatBlockAtlas;
+class vtkOpenGLFlatBlockRayImage;
 class vtkOpenGLFlatBlockSceneDepth;
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
 class vtkRenderer;
 class vtkShaderProgram;
 class vtkTextureObject;
@@ -37,8 +40,9 @@ public:
     vtkOpenGLFlatBlockAtlas* Atlas;
     vtkMatrix4x4* SampleToDataSet; ///< spacing, origin and direction
     vtkMatrix4x4* DataSetToWorld;  ///< the prop's matrix
-    double Step;                   ///< between samples, in the data set's unit of length
     bool LinearInterpolation;      ///< nearest sample otherwise
+    bool HasHoles;                 ///< cells with a corner that is not finite
+    flatblock::RaySampling Sampling;
   };
 
   /**
@@ -49,13 +53,23 @@ public:
   /**
    * Releases what the next Draw() will allocate in another size, so that its memory is free before.
    */
-  void ReleaseStale(vtkRenderer* renderer, const flatblock::TransferTable& table);
+  void ReleaseStale(vtkRenderer* renderer, const flatblock::TransferTable& table,
+    const flatblock::RaySampling& sampling);
 
   /**
-   * Sends a transfer function to the graphics card, where Draw() finds it.
+   * Sends a transfer function to the graphics card, where Draw() finds it: with its integrals where
+   * segments are integrated.
    */
-  void SetTransferTable(vtkOpenGLRenderWindow* window, const flatblock::TransferTable& table);
-  bool HasTransferTable() const;
+  void SetTransferTable(vtkOpenGLRenderWindow* window, const flatblock::TransferTable& table,
+    const flatblock::RaySampling& sampling);
+  bool HasTransferTable(const flatblock::RaySampling& sampling) const;
+
+  /**
+   * Bytes of a transfer function, and of the image of rays where one is drawn.
+   */
+  static vtkTypeInt64 GetTableBytes(
+    const flatblock::TransferTable& table, const flatblock::RaySampling& sampling);
+  static vtkTypeInt64 GetImageBytes(vtkRenderer* renderer, const flatblock::RaySampling& sampling);
 
   /**
    * Blends the volume over what the renderer's window shows already. Leaves the OpenGL state as it
@@ -63,6 +77,16 @@ public:
    * @return whether the shader could be built; VTK has said why not
    */
   bool Draw(vtkRenderer* renderer, const Scene& scene);
+
+  /**
+   * Waits until what was drawn is there.
+   */
+  static void Finish();
+
+  /**
+   * Rays of the last Draw() that the limit of samples cut off.
+   */
+  vtkTypeInt64 GetRaysCutOff() const;
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -74,13 +98,18 @@ private:
   vtkOpenGLFlatBlockRayCaster(const vtkOpenGLFlatBlockRayCaster&) = delete;
   void operator=(const vtkOpenGLFlatBlockRayCaster&) = delete;
 
+  void SetUniforms(vtkRenderer* renderer, vtkShaderProgram* program, const Scene& scene,
+    vtkMatrix4x4* sampleToClip);
   void SetGeometry(vtkShaderProgram* program, const Scene& scene, vtkMatrix4x4* sampleToClip);
+  void SetRays(vtkRenderer* renderer, vtkShaderProgram* program, const Scene& scene);
   void SetBlocks(vtkShaderProgram* program, const Scene& scene);
   void SetClassification(vtkShaderProgram* program, const Scene& scene);
-  void DrawBox(vtkOpenGLRenderWindow* window, bool mirrored);
+  bool DrawRays(vtkRenderer* renderer, const Scene& scene, bool mirrored);
+  void DrawBox(vtkOpenGLState* state, bool mirrored);
 
   vtkNew<vtkTextureObject> TransferTexture;
   vtkNew<vtkOpenGLFlatBlockSceneDepth> SceneDepth;
+  vtkNew<vtkOpenGLFlatBlockRayImage> RayImage;
   flatblock::CountedBytes TableBytes;
   double TableLowest = 0.0;
   double TableHighest = 0.0;

@@ -5,6 +5,7 @@ uniform usampler2D in_BlockIndex; // xyz: first texel of the brick, w: its level
 uniform int in_Blocks[3];         // blocks an axis
 uniform int in_CellsPerBlock;
 uniform vec3 in_AtlasTexel;       // 1 / texels an axis
+uniform float in_AdaptiveSampling; // 1: the step doubles a level, 0: it is the same everywhere
 
 const uint NotResident = 65535u;
 
@@ -22,6 +23,8 @@ struct Brick
   vec3 origin; // first texel
   vec3 first;  // first sample
   float scale; // texels a sample
+  float step;  // between two points of a ray
+  int side;    // texels
   vec3 low;    // first and last texel, in the atlas
   vec3 high;
 };
@@ -69,12 +72,21 @@ Brick fetchBrick(ivec3 block)
   brick.origin = vec3(entry.xyz);
   brick.first = vec3(block * in_CellsPerBlock);
   brick.scale = exp2(-float(entry.w));
+  brick.step = mix(1.0, exp2(float(entry.w)), in_AdaptiveSampling);
+  brick.side = (in_CellsPerBlock >> int(entry.w)) + 1;
   brick.low = (brick.origin + 0.5) * in_AtlasTexel;
   brick.high = (brick.origin + float(in_CellsPerBlock) * brick.scale + 0.5) * in_AtlasTexel;
   return brick;
 }
 
-vec3 toAtlas(Brick brick, vec3 position)
+// In texels of the brick, 0 being the centre of the first one.
+vec3 inBrick(Brick brick, vec3 position)
 {
-  return (brick.origin + (position - brick.first) * brick.scale + 0.5) * in_AtlasTexel;
+  return clamp((position - brick.first) * brick.scale, 0.0, float(brick.side - 1));
+}
+
+float texelOf(Brick brick, vec3 position)
+{
+  vec3 at = (brick.origin + (position - brick.first) * brick.scale + 0.5) * in_AtlasTexel;
+  return textureLod(in_Atlas, clamp(at, brick.low, brick.high), 0.0).r;
 }

@@ -4,13 +4,22 @@
 uniform vec4 in_Eye;             // perspective: (-eye, 1); parallel: (direction of sight, 0)
 uniform vec3 in_LastSample;      // far corner of the box
 uniform mat3 in_SampleToSteps;   // directions in samples to lengths in steps of the ray
-uniform vec4 in_SampleToClipZ;   // rows of the matrix from samples to clip coordinates
-uniform vec4 in_SampleToClipW;
+uniform vec4 in_NearPlane;       // nothing before it is drawn
+uniform float in_DepthOfCenter;  // normalized device depth of the middle of the box
+uniform vec4 in_SampleToDepth;   // rows of the matrix from samples to clip coordinates: z, less w at
+uniform vec4 in_SampleToClipW;   // the depth of the middle, so that little cancels; and w
 uniform sampler2D in_SceneDepth; // of the opaque geometry, over the viewport
 uniform ivec2 in_ViewportOrigin;
+uniform vec2 in_PixelsPerRay;
+#ifdef FLATBLOCK_RAY_START
+uniform mat3 in_SampleToWorld;
+uniform float in_RayStart; // in world units from the eye, or in parallel projection the near plane
+#endif
 
 in vec3 boxPosition;
-in vec2 boxClip; // z and w of boxPosition in clip coordinates
+
+// A step below this many samples brings nothing new: texture units filter to 1/256 of a texel.
+const float LeastAdvance = 1.0 / 256.0;
 
 // Position after t steps: origin + t * direction. The origin lies on the far side of the box, so
 // that distances stay small and exact however far the eye is.
@@ -20,6 +29,7 @@ struct Ray
   vec3 direction;
   float begin;
   float end;
+  float unit; // lengths of the step that was asked for in one step
 };
 
 // Replaces components so small that dividing by them could overflow.
@@ -32,11 +42,13 @@ vec3 withoutZeros(vec3 v)
 Ray rayThroughBox()
 {
   vec3 sight = boxPosition * in_Eye.w + in_Eye.xyz;
-  float sightLength = length(in_SampleToSteps * sight);
+  vec3 direction = sight / length(in_SampleToSteps * sight);
+  float advance = max(abs(direction.x), max(abs(direction.y), abs(direction.z)));
 
   Ray ray;
+  ray.unit = max(1.0, LeastAdvance / advance);
   ray.origin = boxPosition;
-  ray.direction = withoutZeros(sight / sightLength);
+  ray.direction = withoutZeros(direction * ray.unit);
   vec3 toNearCorner = -ray.origin / ray.direction;
   vec3 toFarCorner = (in_LastSample - ray.origin) / ray.direction;
   vec3 entries = min(toNearCorner, toFarCorner);
@@ -45,7 +57,7 @@ Ray rayThroughBox()
   ray.end = min(exits.x, min(exits.y, exits.z));
   if (in_Eye.w > 0.0)
   {
-    ray.begin = max(ray.begin, -sightLength);
+    ray.begin = max(ray.begin, -length(in_SampleToSteps * sight) / ray.unit);
   }
   return ray;
 }
@@ -53,15 +65,26 @@ Ray rayThroughBox()
 // Distance along the ray to where its normalized device depth is `depth`: a plane in samples.
 float distanceToDepth(Ray ray, float depth)
 {
-  float atOrigin = boxClip.x - depth * boxClip.y;
-  float slope = dot(in_SampleToClipZ.xyz - depth * in_SampleToClipW.xyz, ray.direction);
+  float fromCenter = depth - in_DepthOfCenter;
+  float atOrigin = dot(in_SampleToDepth.xyz, ray.origin) + in_SampleToDepth.w -
+    fromCenter * (dot(in_SampleToClipW.xyz, ray.origin) + in_SampleToClipW.w);
+  float slope = dot(in_SampleToDepth.xyz - fromCenter * in_SampleToClipW.xyz, ray.direction);
   return -atOrigin / slope;
 }
 
 void clipToScene(inout Ray ray)
 {
-  ray.begin = max(ray.begin, distanceToDepth(ray, -1.0));
-  float depth = texelFetch(in_SceneDepth, ivec2(gl_FragCoord.xy) - in_ViewportOrigin, 0).r;
+  float toNearPlane = -(dot(in_NearPlane.xyz, ray.origin) + in_NearPlane.w) /
+    dot(in_NearPlane.xyz, ray.direction);
+  float start = toNearPlane;
+#ifdef FLATBLOCK_RAY_START
+  float toEye = -length(in_SampleToSteps * (boxPosition + in_Eye.xyz)) / ray.unit;
+  start = max(start, mix(toNearPlane, toEye, in_Eye.w) +
+      in_RayStart / length(in_SampleToWorld * ray.direction));
+#endif
+  ray.begin = max(ray.begin, start);
+  vec2 pixel = floor((gl_FragCoord.xy - vec2(in_ViewportOrigin)) * in_PixelsPerRay);
+  float depth = texelFetch(in_SceneDepth, ivec2(pixel), 0).r;
   if (depth < 1.0)
   {
     ray.end = min(ray.end, distanceToDepth(ray, 2.0 * depth - 1.0));

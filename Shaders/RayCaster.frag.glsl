@@ -1,5 +1,6 @@
 //VTK::System::Dec
 //VTK::Output::Dec
+//FlatBlock::Defines
 
 // One ray through the flat blocks. The fragment lies on a face of the box where rays leave it.
 // Positions are in sample coordinates; distances along the ray are counted in steps, which are
@@ -7,51 +8,145 @@
 
 //FlatBlock::Ray
 //FlatBlock::Blocks
+//FlatBlock::TransferTable
+//FlatBlock::Classification
 
-uniform float in_EnoughOpacity;     // a ray that has gathered this much ends
-uniform sampler2D in_TransferTable; // colour, and opacity of one step
-uniform vec2 in_TexelToTable;      // scale and offset: atlas texel to table coordinate
+uniform float in_EnoughOpacity; // a ray that has gathered this much ends
+uniform float in_StepLength;    // in the smallest spacing
+#ifdef FLATBLOCK_SAMPLE_LIMIT
+uniform int in_MaximumNumberOfSamples;
+#endif
 
-// Colour, multiplied by opacity, and opacity of the sample at a position in the atlas.
-vec4 classify(vec3 atlasPosition)
+struct Gathered
 {
-  float texel = textureLod(in_Atlas, atlasPosition, 0.0).r;
-  float entry = texel * in_TexelToTable.x + in_TexelToTable.y;
-  vec4 color = textureLod(in_TransferTable, vec2(entry, 0.5), 0.0);
-  return vec4(color.rgb * color.a, color.a);
+  vec4 color;  // multiplied by opacity, and opacity
+  Point front; // where the ray has been gathered up to
+  float at;    // its distance
+#ifdef FLATBLOCK_SAMPLE_LIMIT
+  int samples;
+  bool isCutOff;
+#endif
+};
+
+// Where the first point of a ray lies between two of the lattice, from 0 to 1.
+float phaseOfRay()
+{
+#ifdef FLATBLOCK_JITTERING
+  // Interleaved gradient noise (Jimenez 2014).
+  return fract(52.9829189 * fract(dot(floor(gl_FragCoord.xy), vec2(0.06711056, 0.00583715))));
+#else
+  return 0.0;
+#endif
 }
 
-// Samples lie in the middle of each step and are numbered from where the ray begins, whatever
-// blocks they fall into: so block borders leave no trace.
-vec4 march(Ray ray)
+bool isAtEnd(Gathered gathered)
 {
-  vec3 firstSample = ray.origin + (ray.begin + 0.5) * ray.direction;
-  float samples = ceil(ray.end - ray.begin - 0.5);
-  BlockWalk walk = enterBlocks(ray);
-  vec4 sum = vec4(0.0);
-  float s = 0.0;
-  while (s < samples)
+#ifdef FLATBLOCK_SAMPLE_LIMIT
+  if (gathered.isCutOff)
   {
-    float samplesToBorder = ceil(distanceToBorder(walk) - ray.begin - 0.5);
-    float end = min(samplesToBorder, samples);
-    Brick brick = fetchBrick(walk.block);
+    return true;
+  }
+#endif
+  return gathered.color.a >= in_EnoughOpacity;
+}
+
+// Adds the segment up to a point. Where one of its ends lies in a hole, the other one's half is drawn.
+void gather(inout Gathered gathered, Point back, float at, float unit)
+{
+#ifdef FLATBLOCK_SAMPLE_LIMIT
+  gathered.isCutOff = ++gathered.samples > in_MaximumNumberOfSamples;
+  if (gathered.isCutOff)
+  {
+    return;
+  }
+#endif
+  Point front = gathered.front;
+  float length = max(at - gathered.at, 0.0) * unit * in_StepLength;
+  gathered.front = back;
+  gathered.at = at;
+#ifdef FLATBLOCK_HOLES
+  if (front.isHole && back.isHole)
+  {
+    return;
+  }
+  if (front.isHole || back.isHole)
+  {
+    length *= 0.5;
+    if (front.isHole)
+    {
+      front = back;
+    }
+    back = front;
+  }
+#endif
+  gathered.color = composite(gathered.color, segmentBetween(front, back, length));
+}
+
+// Points lie on a lattice of steps that begins where the ray begins, whatever blocks they fall into;
+// a coarser block has every second one, and so on. So neither block borders nor levels leave a
+// trace. Only where a transparent block begins or ends is there a point at its border.
+Gathered march(Ray ray)
+{
+  float phase = phaseOfRay();
+  vec3 origin = ray.origin + (ray.begin - phase) * ray.direction;
+  float end = ray.end - ray.begin + phase;
+  BlockWalk walk = enterBlocks(ray);
+  Brick brick = fetchBrick(walk.block);
+
+  Gathered gathered;
+  gathered.color = vec4(0.0);
+  gathered.at = phase;
+#ifdef FLATBLOCK_SAMPLE_LIMIT
+  gathered.samples = 1;
+  gathered.isCutOff = false;
+#endif
+  if (brick.resident)
+  {
+    gathered.front = pointAt(brick, origin + phase * ray.direction);
+  }
+  float next = brick.step;
+  while (true)
+  {
+    float exit = min(distanceToBorder(walk) - ray.begin + phase, end);
     if (brick.resident)
     {
-      vec3 position = toAtlas(brick, firstSample);
-      vec3 advance = ray.direction * brick.scale * in_AtlasTexel;
-      for (; s < end && sum.a < in_EnoughOpacity; s += 1.0)
+      for (; next < exit && !isAtEnd(gathered); next += brick.step)
       {
-        vec3 at = clamp(position + s * advance, brick.low, brick.high);
-        sum += (1.0 - sum.a) * classify(at);
+        gather(gathered, pointAt(brick, origin + next * ray.direction), next, ray.unit);
       }
     }
-    s = max(s, end);
-    if (sum.a >= in_EnoughOpacity || !crossBorder(walk))
+    Brick beyond = brick;
+    beyond.resident = false;
+    if (exit < end && crossBorder(walk))
     {
-      break;
+      beyond = fetchBrick(walk.block);
     }
+    else
+    {
+      end = exit;
+    }
+    if (brick.resident && !beyond.resident && !isAtEnd(gathered))
+    {
+      gather(gathered, pointAt(brick, origin + exit * ray.direction), exit, ray.unit);
+    }
+    if (exit >= end || isAtEnd(gathered))
+    {
+      return gathered;
+    }
+    if (beyond.resident)
+    {
+      float step = brick.resident ? min(brick.step, beyond.step) : beyond.step;
+      if (!brick.resident)
+      {
+        gathered.front = pointAt(beyond, origin + exit * ray.direction);
+        gathered.at = exit;
+      }
+      next = ceil(exit / step) * step;
+      next += next > gathered.at ? 0.0 : step;
+    }
+    brick = beyond;
   }
-  return sum;
+  return gathered;
 }
 
 void main()
@@ -62,10 +157,14 @@ void main()
   {
     discard;
   }
-  vec4 color = march(ray);
-  if (color.a <= 0.0)
+  Gathered gathered = march(ray);
+#ifdef FLATBLOCK_SAMPLE_LIMIT
+  gl_FragData[1] = vec4(gathered.isCutOff ? 1.0 : 0.0);
+#else
+  if (gathered.color.a <= 0.0)
   {
     discard;
   }
-  gl_FragData[0] = color;
+#endif
+  gl_FragData[0] = gathered.color;
 }

@@ -6,7 +6,6 @@ uniform mat4 in_SampleToClip;
 uniform vec3 in_LastSample;
 
 out vec3 boxPosition;
-out vec2 boxClip;
 
 // Corner of a unit cube, drawn as a strip of 14 vertices.
 vec3 cubeCorner(int vertex)
@@ -19,5 +18,4 @@ void main()
 {
   boxPosition = cubeCorner(gl_VertexID) * in_LastSample;
   gl_Position = in_SampleToClip * vec4(boxPosition, 1.0);
-  boxClip = gl_Position.zw;
 }

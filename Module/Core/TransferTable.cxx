@@ -8,11 +8,11 @@ namespace flatblock
 {
 TransferTable::TransferTable(double lowest, double highest, std::vector<Entry> entries)
   : Lowest(lowest), Highest(highest), Entries(std::move(entries)),
-    OpaqueBefore(this->Entries.size() + 1, 0)
+    VisibleBefore(this->Entries.size() + 1, 0)
 {
   for (std::size_t i = 0; i < this->Entries.size(); ++i)
   {
-    this->OpaqueBefore[i + 1] = this->OpaqueBefore[i] + (this->Entries[i][3] > 0.0F ? 1 : 0);
+    this->VisibleBefore[i + 1] = this->VisibleBefore[i] + (this->Entries[i][3] > 0.0F ? 1 : 0);
   }
 }
 
@@ -25,6 +25,10 @@ double TransferTable::GetPosition(double value) const
 
 bool TransferTable::IsTransparent(double lowest, double highest) const
 {
+  if (lowest > highest)
+  {
+    return true;
+  }
   // An entry of slack, since the shader reaches its position in single precision.
   const double slack = 1e-5 * static_cast<double>(this->Entries.size());
   const double first = std::floor(this->GetPosition(lowest) - slack);
@@ -32,15 +36,12 @@ bool TransferTable::IsTransparent(double lowest, double highest) const
   const auto begin = static_cast<std::size_t>(std::max(first, 0.0));
   const auto end =
     std::min(static_cast<std::size_t>(std::max(last, 0.0)) + 1, this->Entries.size());
-  return this->OpaqueBefore[end] == this->OpaqueBefore[begin];
+  return this->VisibleBefore[end] == this->VisibleBefore[begin];
 }
 
-double CorrectOpacity(double opacity, double steps)
+double GetExtinction(double opacity, double distance)
 {
-  if (opacity >= 1.0)
-  {
-    return steps > 0.0 ? 1.0 : 0.0;
-  }
-  return opacity > 0.0 ? -std::expm1(steps * std::log1p(-opacity)) : 0.0;
+  return opacity > 0.0 ? std::min(-std::log1p(-std::min(opacity, 1.0)) / distance, MostExtinction)
+                       : 0.0;
 }
 } // namespace flatblock

@@ -12,20 +12,21 @@ namespace flatblock
 class TransferTable
 {
 public:
-  /// Red, green, blue (not multiplied by opacity) and opacity, each in [0, 1].
+  /// Red, green, blue (not multiplied by anything), each in [0, 1], and extinction per unit of
+  /// length, in [0, MostExtinction].
   using Entry = std::array<float, 4>;
 
   TransferTable() = default;
 
-  /// @param entries  at least one, with the opacity of one step along the ray
+  /// @param entries  at least two
   TransferTable(double lowest, double highest, std::vector<Entry> entries);
 
   double GetLowest() const { return this->Lowest; }
   double GetHighest() const { return this->Highest; }
   const std::vector<Entry>& GetEntries() const { return this->Entries; }
 
-  /// Whether every value in [lowest, highest] has zero opacity. O(1), by differences of a running
-  /// count.
+  /// Whether every value in [lowest, highest] has no extinction; so also where lowest > highest,
+  /// and there is no value. O(1), by differences of a running count.
   bool IsTransparent(double lowest, double highest) const;
 
 private:
@@ -34,10 +35,13 @@ private:
   double Lowest = 0.0;
   double Highest = 0.0;
   std::vector<Entry> Entries;
-  std::vector<std::size_t> OpaqueBefore; ///< entries [0, i) with opacity above zero
+  std::vector<std::size_t> VisibleBefore; ///< entries [0, i) with extinction above zero
 };
 
-/// Opacity of a path of `steps` unit distances through a medium that has `opacity` over one:
-/// 1 - (1 - opacity)^steps, without cancellation for small opacities.
-double CorrectOpacity(double opacity, double steps);
+/// What is opaque has this extinction: a hundredth of the unit of length lets nothing through.
+constexpr double MostExtinction = 4096.0;
+
+/// Extinction of a medium that has `opacity` over a length of `distance` units:
+/// -ln(1 - opacity) / distance, at most MostExtinction; without cancellation for small opacities.
+double GetExtinction(double opacity, double distance);
 } // namespace flatblock

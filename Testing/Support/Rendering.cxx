@@ -88,6 +88,7 @@ Scene::Scene()
   this->Volume->SetMapper(this->Mapper);
   this->Volume->SetProperty(this->Property);
   this->Property->SetInterpolationTypeToLinear();
+  this->Mapper->AutoAdjustSampleDistancesOff();
   auto peer = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
   peer->SetAutoAdjustSampleDistances(0);
   this->Peer = peer;

@@ -115,11 +115,11 @@ TEST(BlockRanges, LeaveOutWhatIsNotFinite)
   const auto ranges = Compute(samples, BlockGrid(dims, 17));
   EXPECT_EQ(ranges[0].Lowest, 2.0);
   EXPECT_EQ(ranges[0].Highest, 5.0);
-  EXPECT_TRUE(ranges[0].HasBelow);
-  EXPECT_TRUE(ranges[0].HasAbove);
+  EXPECT_TRUE(ranges[0].HasHoles);
   EXPECT_TRUE(ranges[1].IsEmpty());
-  EXPECT_TRUE(ranges[1].HasBelow);
-  EXPECT_FALSE(ranges[1].HasAbove);
+  EXPECT_TRUE(ranges[1].HasHoles);
+  samples.assign(samples.size(), 1.0);
+  EXPECT_FALSE(Compute(samples, BlockGrid(dims, 17))[0].HasHoles);
 }
 
 #ifdef _OPENMP

@@ -64,11 +64,14 @@ TEST(BrickCopy, PutsOtherTypesOnFloatsOverTheRange)
   }
 }
 
-TEST(BrickCopy, KeepsTexelsFiniteAndWithinOne)
+TEST(BrickCopy, KeepsTexelsWithinOneButHoles)
 {
   const TexelEncoder<double, float> encode{ -1.0, 2.0 };
-  EXPECT_EQ(encode(std::nan("")), 0.0F);
-  EXPECT_EQ(encode(-INFINITY), 0.0F);
-  EXPECT_EQ(encode(INFINITY), 1.0F);
+  for (const double hole : { std::nan(""), -double(INFINITY), double(INFINITY) })
+  {
+    EXPECT_EQ(encode(hole), flatblock::HoleTexel);
+  }
+  EXPECT_EQ(encode(-1.5), 0.0F);
+  EXPECT_EQ(encode(1.5), 1.0F);
   EXPECT_EQ(encode(0.0), 0.5F);
 }

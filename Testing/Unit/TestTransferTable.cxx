@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-using flatblock::CorrectOpacity;
+using flatblock::GetExtinction;
 using flatblock::TransferTable;
 
 namespace
@@ -41,8 +41,9 @@ TEST(TransferTable, ClampsBeyondItsEnds)
 
 TEST(TransferTable, CopesWithOneEntry)
 {
-  EXPECT_TRUE(MakeTable(5.0, 5.0, { 0.0F }).IsTransparent(5.0, 5.0));
-  EXPECT_FALSE(MakeTable(5.0, 5.0, { 0.1F }).IsTransparent(5.0, 5.0));
+  EXPECT_TRUE(MakeTable(5.0, 5.0, { 0.0F, 0.0F }).IsTransparent(5.0, 5.0));
+  EXPECT_FALSE(MakeTable(5.0, 5.0, { 0.1F, 0.1F }).IsTransparent(5.0, 5.0));
+  EXPECT_TRUE(MakeTable(0.0, 1.0, { 0.1F, 0.1F }).IsTransparent(INFINITY, -INFINITY));
 }
 
 TEST(TransferTable, NeverCallsTransparentWhatAValueWouldShow)
@@ -73,24 +74,24 @@ TEST(TransferTable, NeverCallsTransparentWhatAValueWouldShow)
   EXPECT_GT(transparent, 10000);
 }
 
-TEST(CorrectOpacity, EqualsTheClosedForm)
+TEST(Extinction, EqualsTheClosedForm)
 {
   for (double opacity : { 1e-7, 1e-3, 0.2, 0.5, 0.999, 0.9999999 })
   {
-    for (double steps : { 1e-3, 0.25, 1.0, 3.0, 1000.0 })
+    for (double distance : { 1e-2, 0.25, 1.0, 3.0, 1e6 })
     {
-      const long double expected = 1.0L - std::pow(1.0L - opacity, static_cast<long double>(steps));
-      EXPECT_NEAR(CorrectOpacity(opacity, steps) / static_cast<double>(expected), 1.0, 1e-9)
-        << opacity << " over " << steps;
+      const long double expected = -std::log(1.0L - opacity) / distance;
+      EXPECT_NEAR(GetExtinction(opacity, distance) / static_cast<double>(expected), 1.0, 1e-9)
+        << opacity << " over " << distance;
     }
   }
 }
 
-TEST(CorrectOpacity, KeepsItsEnds)
+TEST(Extinction, KeepsItsEnds)
 {
-  EXPECT_EQ(CorrectOpacity(0.0, 5.0), 0.0);
-  EXPECT_EQ(CorrectOpacity(1.0, 0.001), 1.0);
-  EXPECT_EQ(CorrectOpacity(1.0, 0.0), 0.0);
-  EXPECT_EQ(CorrectOpacity(-0.5, 1.0), 0.0);
-  EXPECT_EQ(CorrectOpacity(0.5, 0.0), 0.0);
+  EXPECT_EQ(GetExtinction(0.0, 5.0), 0.0);
+  EXPECT_EQ(GetExtinction(-0.5, 1.0), 0.0);
+  EXPECT_EQ(GetExtinction(1.0, 1e6), flatblock::MostExtinction);
+  EXPECT_EQ(GetExtinction(1.5, 1.0), flatblock::MostExtinction);
+  EXPECT_EQ(GetExtinction(0.5, 1e-9), flatblock::MostExtinction);
 }

@@ -1,0 +1,28 @@
+/// How rays are sampled and classified.
+#pragma once
+
+namespace flatblock
+{
+enum class Classification
+{
+  PreIntegrated,
+  PostInterpolation,
+  PreInterpolation
+};
+
+struct RaySampling
+{
+  Classification Method = Classification::PreIntegrated;
+  double Step = 1.0;         ///< between samples at the finest level, in the data set's unit
+  double UnitOfLength = 1.0; ///< of extinctions, in the data set's unit: the smallest spacing
+  double PixelsPerRay = 1.0; ///< along both axes of the picture
+  bool Jittering = false;
+  bool Adaptive = true;       ///< the step doubles a level
+  int MostSamples = 0;        ///< of a ray; 0: no limit
+  double RayStart = 0.0;      ///< in world units from the eye, or the near plane
+  double EnoughOpacity = 1.0; ///< at which a ray ends
+
+  /// Whether rays are drawn to an image of their own first.
+  bool HasImage() const { return this->PixelsPerRay != 1.0 || this->MostSamples > 0; }
+};
+} // namespace flatblock

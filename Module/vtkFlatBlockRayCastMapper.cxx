@@ -1,0 +1,24 @@
+#include "vtkFlatBlockRayCastMapper.h"
+
+vtkFlatBlockRayCastMapper::vtkFlatBlockRayCastMapper() = default;
+vtkFlatBlockRayCastMapper::~vtkFlatBlockRayCastMapper() = default;
+
+void vtkFlatBlockRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* const classifications[] = { "PreIntegrated", "PostInterpolation",
+    "PreInterpolation" };
+  os << indent << "Classification: " << classifications[this->Classification] << "\n";
+  os << indent << "SampleDistance: " << this->SampleDistance << "\n";
+  os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
+  os << indent << "LockSampleDistanceToInputSpacing: " << this->LockSampleDistanceToInputSpacing
+     << "\n";
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
+  os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << "\n";
+  os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << "\n";
+  os << indent << "UseJittering: " << this->UseJittering << "\n";
+  os << indent << "AdaptiveSampling: " << this->AdaptiveSampling << "\n";
+  os << indent << "MaximumNumberOfSamples: " << this->MaximumNumberOfSamples << "\n";
+  os << indent << "RayStartOffset: " << this->RayStartOffset << "\n";
+  os << indent << "EarlyTerminationThreshold: " << this->EarlyTerminationThreshold << "\n";
+}

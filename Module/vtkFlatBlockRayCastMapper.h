@@ -1,0 +1,166 @@
+/**
+ * @class   vtkFlatBlockRayCastMapper
+ * @brief   abstract superclass of a volume mapper: how its rays are sampled and classified
+ *
+ * Properties that vtkGPUVolumeRayCastMapper has, too, have its names and its meaning. Distances
+ * along a ray are in the data set's unit of length, as in vtkGPUVolumeRayCastMapper: the unit of
+ * world coordinates, unless the prop is scaled.
+ *
+ * @sa vtkFlatBlockVolumeMapper
+ */
+
+#ifndef vtkFlatBlockRayCastMapper_h
+#define vtkFlatBlockRayCastMapper_h
+
+#include "vtkFlatBlockVolumeRenderingModule.h" // for the export macro
+#include "vtkVolumeMapper.h"
+
+class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockRayCastMapper : public vtkVolumeMapper
+{
+public:
+  vtkTypeMacro(vtkFlatBlockRayCastMapper, vtkVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Classifications
+  {
+    PRE_INTEGRATED,
+    POST_INTERPOLATION,
+    PRE_INTERPOLATION
+  };
+
+  ///@{
+  /**
+   * How samples become colours. PreIntegrated (default): between two samples of a ray values are
+   * taken as linear, and colour and opacity of all that they run through are integrated, to 1e-4 of
+   * a segment, for any step and any opacity: thin shells stay whole. PostInterpolation: values are
+   * interpolated, then classified, as in vtkGPUVolumeRayCastMapper; what lies between two samples
+   * is missed. PreInterpolation: samples of the data are classified, then their colours
+   * interpolated; slow, and blurred. With nearest interpolation there is nothing between two
+   * samples, and PreIntegrated draws as PostInterpolation.
+   */
+  vtkSetClampMacro(Classification, int, PRE_INTEGRATED, PRE_INTERPOLATION);
+  vtkGetMacro(Classification, int);
+  void SetClassificationToPreIntegrated() { this->SetClassification(PRE_INTEGRATED); }
+  void SetClassificationToPostInterpolation() { this->SetClassification(POST_INTERPOLATION); }
+  void SetClassificationToPreInterpolation() { this->SetClassification(PRE_INTERPOLATION); }
+  ///@}
+
+  ///@{
+  /**
+   * Distance between two samples along a ray, in the finest blocks. 0 (default): half of the
+   * smallest spacing. A step of less than 1/256 voxel is lengthened to it, since texture units
+   * filter no finer, with a warning where it was asked for; one that is longer than the volume
+   * takes a sample where the ray enters it and one where it leaves, with a warning.
+   */
+  vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SampleDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether interactive frames lengthen SampleDistance and ImageSampleDistance alike to take no
+   * more time than the volume is allowed, by the time that the last one took. All other frames are
+   * drawn with MinimumImageSampleDistance. Default: on.
+   */
+  vtkSetMacro(AutoAdjustSampleDistances, bool);
+  vtkGetMacro(AutoAdjustSampleDistances, bool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the data's spacing and size give the distance between samples, whatever SampleDistance
+   * is: from 1/200 of the mean spacing for 8 voxels, growing with the cube root of their number, to
+   * 1/2 of it for a million or more. Default: off.
+   */
+  vtkSetMacro(LockSampleDistanceToInputSpacing, bool);
+  vtkGetMacro(LockSampleDistanceToInputSpacing, bool);
+  vtkBooleanMacro(LockSampleDistanceToInputSpacing, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Pixels from one ray to the next along both axes of the picture, from 0.1 to 100: 1 (default) is
+   * a ray a pixel, 2 one for four pixels, which are interpolated, 0.5 four rays for each pixel,
+   * whose mean it shows. Where AutoAdjustSampleDistances is on, interactive frames choose it
+   * between MinimumImageSampleDistance (default 1) and MaximumImageSampleDistance (default 10).
+   */
+  vtkSetClampMacro(ImageSampleDistance, double, 0.1, 100.0);
+  vtkGetMacro(ImageSampleDistance, double);
+  vtkSetClampMacro(MinimumImageSampleDistance, double, 0.1, 100.0);
+  vtkGetMacro(MinimumImageSampleDistance, double);
+  vtkSetClampMacro(MaximumImageSampleDistance, double, 0.1, 100.0);
+  vtkGetMacro(MaximumImageSampleDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether each ray begins at another share of a step, so that too long steps show as noise
+   * instead of rings. The shares depend on the pixel alone: a picture repeats. Default: off.
+   */
+  vtkSetMacro(UseJittering, bool);
+  vtkGetMacro(UseJittering, bool);
+  vtkBooleanMacro(UseJittering, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the step follows the level of detail of the block that a ray is in: twice as long a
+   * level, with the opacity of its length. Default: on.
+   */
+  vtkSetMacro(AdaptiveSampling, bool);
+  vtkGetMacro(AdaptiveSampling, bool);
+  vtkBooleanMacro(AdaptiveSampling, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Samples after which a ray ends, whatever is behind. 0 (default): no limit. Rays that it cut off
+   * are counted: see GetNumberOfRaysCutOff(). Where it is set, rays are drawn to a picture of their
+   * own first, which counts in MaxMemoryInBytes.
+   */
+  vtkSetClampMacro(MaximumNumberOfSamples, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumberOfSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * What is nearer to the eye than this is not drawn, in world units: for a camera inside the
+   * volume. In parallel projection it counts from the near plane. Default: 0.
+   */
+  vtkSetClampMacro(RayStartOffset, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(RayStartOffset, double);
+  ///@}
+
+  ///@{
+  /**
+   * Opacity at which a ray ends, from 0 to 1. Default: 1 - 1/255, so that what is left out is at
+   * most one step of a picture of 8 bits. 1: rays go on to the end.
+   */
+  vtkSetClampMacro(EarlyTerminationThreshold, double, 0.0, 1.0);
+  vtkGetMacro(EarlyTerminationThreshold, double);
+  ///@}
+
+protected:
+  vtkFlatBlockRayCastMapper();
+  ~vtkFlatBlockRayCastMapper() override;
+
+  int Classification = PRE_INTEGRATED;
+  double SampleDistance = 0.0;
+  bool AutoAdjustSampleDistances = true;
+  bool LockSampleDistanceToInputSpacing = false;
+  double ImageSampleDistance = 1.0;
+  double MinimumImageSampleDistance = 1.0;
+  double MaximumImageSampleDistance = 10.0;
+  bool UseJittering = false;
+  bool AdaptiveSampling = true;
+  int MaximumNumberOfSamples = 0;
+  double RayStartOffset = 0.0;
+  double EarlyTerminationThreshold = 1.0 - 1.0 / 255.0;
+
+private:
+  vtkFlatBlockRayCastMapper(const vtkFlatBlockRayCastMapper&) = delete;
+  void operator=(const vtkFlatBlockRayCastMapper&) = delete;
+};
+
+#endif

@@ -1,0 +1,143 @@
+#include "RoundUp.h"
+#include "vtkFlatBlockVolumeMapperInternals.h"
+
+#include "vtkImageData.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+// How rays are sampled in vtkFlatBlockVolumeMapper.
+
+namespace flatblock
+{
+bool IsInteractive(vtkRenderer* renderer)
+{
+  constexpr double InteractiveUpdateRate = 1.0;
+  return renderer->GetRenderWindow()->GetDesiredUpdateRate() >= InteractiveUpdateRate;
+}
+} // namespace flatblock
+
+namespace
+{
+// Images of less are not worth it; and the memory that is kept free for one is a quarter.
+constexpr double LeastInteractiveFactor = 2.0;
+
+flatblock::Classification GetMethod(int classification, vtkVolume* volume)
+{
+  // Between nearest samples there is nothing to integrate or to interpolate.
+  if (volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION)
+  {
+    return flatblock::Classification::PostInterpolation;
+  }
+  constexpr flatblock::Classification Methods[] = { flatblock::Classification::PreIntegrated,
+    flatblock::Classification::PostInterpolation, flatblock::Classification::PreInterpolation };
+  return Methods[classification];
+}
+} // namespace
+
+double vtkFlatBlockVolumeMapper::GetStep()
+{
+  const flatblock::VolumeInput& input = this->Internals->Input;
+  if (this->LockSampleDistanceToInputSpacing)
+  {
+    return this->SpacingAdjustedSampleDistance(input.Image->GetSpacing(), input.Image->GetExtent());
+  }
+  return this->SampleDistance > 0.0 ? this->SampleDistance : 0.5 * input.SmallestSpacing;
+}
+
+void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkInternals& in = *this->Internals;
+  flatblock::RaySampling& sampling = in.Sampling;
+  sampling.Method = GetMethod(this->Classification, volume);
+  sampling.UnitOfLength = in.Input.SmallestSpacing;
+  // From where on both would be no more than a point a ray, or lost in single precision.
+  sampling.Step = std::clamp(
+    this->GetStep(), 1e-6 * in.Input.SmallestSpacing, std::max(2.0 * in.Input.Diagonal, 1e-30));
+  sampling.PixelsPerRay = this->ImageSampleDistance;
+  if (this->AutoAdjustSampleDistances)
+  {
+    const bool isInteractive = flatblock::IsInteractive(renderer);
+    const double factor = isInteractive ? in.InteractiveFactor : 1.0;
+    sampling.PixelsPerRay = std::max(
+      this->MinimumImageSampleDistance, std::min(factor, this->MaximumImageSampleDistance));
+    sampling.Step *= factor;
+  }
+  sampling.Jittering = this->UseJittering;
+  sampling.Adaptive = this->AdaptiveSampling;
+  sampling.MostSamples = this->MaximumNumberOfSamples;
+  sampling.RayStart = this->RayStartOffset;
+  sampling.EnoughOpacity = this->EarlyTerminationThreshold;
+}
+
+// Of the image of rays; where interactive frames may have one, it is kept free for it, so that the
+// atlas is the same for all frames.
+vtkTypeInt64 vtkFlatBlockVolumeMapper::GetImageBytes(vtkRenderer* renderer) const
+{
+  const flatblock::RaySampling& sampling = this->Internals->Sampling;
+  flatblock::RaySampling interactive = sampling;
+  interactive.PixelsPerRay = LeastInteractiveFactor;
+  const bool mayAdjust =
+    this->AutoAdjustSampleDistances && this->MaximumImageSampleDistance >= LeastInteractiveFactor;
+  return flatblock::RoundUp(std::max(vtkOpenGLFlatBlockRayCaster::GetImageBytes(renderer, sampling),
+    mayAdjust ? vtkOpenGLFlatBlockRayCaster::GetImageBytes(renderer, interactive) : 0));
+}
+
+// Time goes with the rays along both axes of the picture and the samples along each.
+void vtkFlatBlockVolumeMapper::AdjustInteractiveFactor(double seconds, double allowed)
+{
+  constexpr double NotWorthwhile = 1.5;
+  double& factor = this->Internals->InteractiveFactor;
+  const double wanted = factor * std::cbrt(seconds / std::max(allowed, 1e-3));
+  factor = wanted < NotWorthwhile
+             ? 1.0
+             : std::clamp(wanted, LeastInteractiveFactor,
+                 std::max(LeastInteractiveFactor, this->MaximumImageSampleDistance));
+}
+
+// Once for each that is new.
+void vtkFlatBlockVolumeMapper::WarnAboutSamples()
+{
+  constexpr double LeastStep = 1.0 / 256.0; // as in the shader
+  vtkInternals& in = *this->Internals;
+  const double asked = this->LockSampleDistanceToInputSpacing ? 0.0 : this->SampleDistance;
+  std::string warning;
+  if (asked > 0.0 && asked < LeastStep * in.Input.SmallestSpacing)
+  {
+    warning +=
+      " A sample distance of " + std::to_string(asked / in.Input.SmallestSpacing) +
+      " of the smallest spacing is too small to be told from 1/256, which takes its place.";
+  }
+  if (asked > in.Input.Diagonal)
+  {
+    warning +=
+      " The sample distance is longer than the volume: rays take a sample where they enter "
+      "it and one where they leave.";
+  }
+  const vtkTypeInt64 holes = in.Builder->GetNumberOfNonFiniteSamples();
+  if (holes > 0)
+  {
+    warning +=
+      " " + std::to_string(holes) + " samples are not finite; the cells around them are not drawn.";
+  }
+  if (!warning.empty() && warning != in.LastSampleWarning)
+  {
+    vtkWarningMacro(<< warning.substr(1));
+  }
+  in.LastSampleWarning = warning;
+}
+
+vtkTypeInt64 vtkFlatBlockVolumeMapper::GetNumberOfRaysCutOff() const
+{
+  return this->Internals->Sampling.MostSamples > 0 ? this->Internals->RayCaster->GetRaysCutOff()
+                                                   : 0;
+}
+
+double vtkFlatBlockVolumeMapper::GetUsedImageSampleDistance() const
+{
+  return this->Internals->Sampling.PixelsPerRay;
+}

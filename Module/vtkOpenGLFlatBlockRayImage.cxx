@@ -1,0 +1,172 @@
+#include "vtk_glew.h"
+
+#include "vtkOpenGLFlatBlockRayImage.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include "FlatBlockRayImageFragmentGLSL.h"
+#include "FlatBlockRayImageVertexGLSL.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+vtkStandardNewMacro(vtkOpenGLFlatBlockRayImage);
+
+namespace
+{
+constexpr vtkTypeInt64 BytesPerRay = 4 * 2 + 1;
+
+struct ViewportBox
+{
+  explicit ViewportBox(vtkRenderer* renderer)
+  {
+    renderer->GetTiledSizeAndOrigin(
+      &this->Size[0], &this->Size[1], &this->Origin[0], &this->Origin[1]);
+  }
+  int Size[2] = { 0, 0 };
+  int Origin[2] = { 0, 0 };
+};
+} // namespace
+
+vtkOpenGLFlatBlockRayImage::vtkOpenGLFlatBlockRayImage() = default;
+vtkOpenGLFlatBlockRayImage::~vtkOpenGLFlatBlockRayImage() = default;
+
+std::array<int, 2> vtkOpenGLFlatBlockRayImage::GetSize(vtkRenderer* renderer, double pixelsPerRay)
+{
+  const ViewportBox viewport(renderer);
+  return { std::max(1, static_cast<int>(std::ceil(viewport.Size[0] / pixelsPerRay))),
+    std::max(1, static_cast<int>(std::ceil(viewport.Size[1] / pixelsPerRay))) };
+}
+
+vtkTypeInt64 vtkOpenGLFlatBlockRayImage::GetBytes(vtkRenderer* renderer, double pixelsPerRay)
+{
+  const auto size = GetSize(renderer, pixelsPerRay);
+  return BytesPerRay * size[0] * size[1];
+}
+
+bool vtkOpenGLFlatBlockRayImage::HasSize(const std::array<int, 2>& size) const
+{
+  return this->Colors->GetHandle() != 0 && static_cast<int>(this->Colors->GetWidth()) == size[0] &&
+         static_cast<int>(this->Colors->GetHeight()) == size[1];
+}
+
+void vtkOpenGLFlatBlockRayImage::Allocate(
+  vtkOpenGLRenderWindow* window, const std::array<int, 2>& size)
+{
+  if (this->HasSize(size) && this->Colors->GetContext() == window)
+  {
+    return;
+  }
+  this->ReleaseGraphicsResources(window);
+  this->Bytes.Set(BytesPerRay * size[0] * size[1]);
+  for (vtkTextureObject* texture : { this->Colors.Get(), this->CutOff.Get() })
+  {
+    texture->SetContext(window);
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
+    texture->SetMinificationFilter(vtkTextureObject::Linear);
+    texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  }
+  this->Colors->SetInternalFormat(GL_RGBA16F);
+  this->Colors->Allocate2D(size[0], size[1], 4, VTK_FLOAT);
+  this->CutOff->Allocate2D(size[0], size[1], 1, VTK_UNSIGNED_CHAR);
+}
+
+void vtkOpenGLFlatBlockRayImage::Begin(vtkRenderer* renderer, double pixelsPerRay)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const auto size = GetSize(renderer, pixelsPerRay);
+  this->Allocate(window, size);
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglGetIntegerv(GL_VIEWPORT, this->Viewport);
+  state->PushFramebufferBindings();
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Colors);
+  this->Framebuffer->AddColorAttachment(1, this->CutOff);
+  this->Framebuffer->ActivateDrawBuffers(2);
+  state->vtkglViewport(0, 0, size[0], size[1]);
+  vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+}
+
+void vtkOpenGLFlatBlockRayImage::End(bool countsRays)
+{
+  this->RaysCutOff = 0;
+  if (countsRays)
+  {
+    const auto width = static_cast<int>(this->CutOff->GetWidth());
+    const auto height = static_cast<int>(this->CutOff->GetHeight());
+    std::vector<std::uint8_t> cutOff(static_cast<std::size_t>(width) * height);
+    this->Framebuffer->ActivateReadBuffer(1);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width, height, GL_RED, GL_UNSIGNED_BYTE, cutOff.data());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    this->RaysCutOff = std::count(cutOff.begin(), cutOff.end(), 255);
+  }
+  vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
+  state->PopFramebufferBindings();
+  state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
+}
+
+bool vtkOpenGLFlatBlockRayImage::Draw(vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    FlatBlockRayImageVertexGLSL, FlatBlockRayImageFragmentGLSL, "");
+  if (!program)
+  {
+    return false;
+  }
+  const ViewportBox viewport(renderer);
+  const float size[2] = { static_cast<float>(viewport.Size[0]),
+    static_cast<float>(viewport.Size[1]) };
+  this->Colors->Activate();
+  program->SetUniformi("in_RayImage", this->Colors->GetTextureUnit());
+  program->SetUniform2i("in_ViewportOrigin", viewport.Origin);
+  program->SetUniform2f("in_ViewportSize", size);
+  const double raysPerPixel = this->Colors->GetWidth() / static_cast<double>(viewport.Size[0]);
+  program->SetUniformi("in_Taps", std::max(1, static_cast<int>(std::lround(0.5 * raysPerPixel))));
+  vtkNew<vtkOpenGLVertexArrayObject> empty;
+  empty->Bind();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  empty->Release();
+  this->Colors->Deactivate();
+  return true;
+}
+
+void vtkOpenGLFlatBlockRayImage::ReleaseIfStale(vtkRenderer* renderer, double pixelsPerRay)
+{
+  if (this->Bytes.Get() > 0 && !this->HasSize(GetSize(renderer, pixelsPerRay)))
+  {
+    this->ReleaseGraphicsResources(renderer->GetRenderWindow());
+  }
+}
+
+void vtkOpenGLFlatBlockRayImage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Colors->ReleaseGraphicsResources(window);
+  this->CutOff->ReleaseGraphicsResources(window);
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  this->Bytes.Set(0);
+}
+
+void vtkOpenGLFlatBlockRayImage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Bytes: " << this->Bytes.Get() << "\n";
+  os << indent << "RaysCutOff: " << this->RaysCutOff << "\n";
+}

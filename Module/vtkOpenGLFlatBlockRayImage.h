@@ -1,0 +1,86 @@
+/**
+ * @class   vtkOpenGLFlatBlockRayImage
+ * @brief   a picture of rays of another size than the viewport, and which of them were cut off
+ *
+ * Colours have half floats; whether a ray was cut off takes a byte.
+ */
+
+#ifndef vtkOpenGLFlatBlockRayImage_h
+#define vtkOpenGLFlatBlockRayImage_h
+
+#include "MemoryCounter.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+
+#include <array>
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkOpenGLFlatBlockRayImage : public vtkObject
+{
+public:
+  static vtkOpenGLFlatBlockRayImage* New();
+  vtkTypeMacro(vtkOpenGLFlatBlockRayImage, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Counts what is allocated from now on.
+   */
+  void SetMemoryCounter(flatblock::MemoryCounter* counter) { this->Bytes.SetCounter(counter); }
+
+  /**
+   * Rays along both axes of a viewport, with so many pixels from one to the next.
+   */
+  static std::array<int, 2> GetSize(vtkRenderer* renderer, double pixelsPerRay);
+  static vtkTypeInt64 GetBytes(vtkRenderer* renderer, double pixelsPerRay);
+
+  /**
+   * From here to End() the image is drawn to, and shows nothing at first. Draw buffer 0 takes
+   * colours, buffer 1 takes 1 where a ray was cut off.
+   */
+  void Begin(vtkRenderer* renderer, double pixelsPerRay);
+
+  /**
+   * What was drawn to before is drawn to again.
+   * @param countsRays  whether those that were cut off are counted
+   */
+  void End(bool countsRays);
+
+  /**
+   * Blends the image over the renderer's viewport, with the blend function that is set.
+   * @return whether the shader could be built
+   */
+  bool Draw(vtkRenderer* renderer);
+
+  vtkTypeInt64 GetRaysCutOff() const { return this->RaysCutOff; }
+
+  /**
+   * Releases what the next Begin() will allocate in another size.
+   */
+  void ReleaseIfStale(vtkRenderer* renderer, double pixelsPerRay);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+protected:
+  vtkOpenGLFlatBlockRayImage();
+  ~vtkOpenGLFlatBlockRayImage() override;
+
+private:
+  vtkOpenGLFlatBlockRayImage(const vtkOpenGLFlatBlockRayImage&) = delete;
+  void operator=(const vtkOpenGLFlatBlockRayImage&) = delete;
+
+  void Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size);
+  bool HasSize(const std::array<int, 2>& size) const;
+
+  vtkNew<vtkTextureObject> Colors;
+  vtkNew<vtkTextureObject> CutOff;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  flatblock::CountedBytes Bytes;
+  vtkTypeInt64 RaysCutOff = 0;
+  int Viewport[4] = { 0, 0, 0, 0 }; // drawn to before
+};
+
+#endif

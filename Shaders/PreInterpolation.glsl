@@ -1,0 +1,41 @@
+// Pre-interpolative classification: the samples at the corners of a cell are classified, then their
+// colours, weighted by extinction, and their extinctions are interpolated (Wittenbrink, Malzbender and
+// Goss 1998). What is found at a point stands for half of the segments that meet there.
+
+struct Point
+{
+  vec4 matter;
+#ifdef FLATBLOCK_HOLES
+  bool isHole;
+#endif
+};
+
+Point pointAt(Brick brick, vec3 position)
+{
+  vec3 texel = inBrick(brick, position);
+  vec3 first = min(floor(texel), vec3(brick.side - 2));
+  vec3 share = texel - first;
+  Point point;
+#ifdef FLATBLOCK_HOLES
+  point.isHole = false;
+#endif
+  vec4 sum = vec4(0.0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    ivec3 offset = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
+    vec3 weights = mix(1.0 - share, share, vec3(offset));
+    float value = texelFetch(in_Atlas, ivec3(brick.origin + first) + offset, 0).r;
+    vec4 matter = matterAtPosition(positionInTable(value));
+#ifdef FLATBLOCK_HOLES
+    point.isHole = point.isHole || isHole(value);
+#endif
+    sum += weights.x * weights.y * weights.z * vec4(matter.rgb * matter.a, matter.a);
+  }
+  point.matter = sum.a > 0.0 ? vec4(sum.rgb / sum.a, sum.a) : vec4(0.0);
+  return point;
+}
+
+vec4 segmentBetween(Point front, Point back, float length)
+{
+  return composite(layerOf(front.matter, 0.5 * length), layerOf(back.matter, 0.5 * length));
+}

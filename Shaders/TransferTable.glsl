@@ -1,0 +1,56 @@
+// The transfer function: colour and extinction, at equal distances over the volume's values and
+// linear in between. Positions in it are counted in entries; extinction is that of the length of the
+// smallest spacing, and lengths are counted in it.
+
+uniform sampler2D in_TransferTable;
+uniform vec2 in_TexelToTable; // scale and offset: texel of the atlas to position
+
+// Colour, not multiplied by anything, and extinction, of an entry.
+vec4 entryOfTable(int entry)
+{
+  return texelFetch(in_TransferTable, ivec2(entry, 0), 0);
+}
+
+float positionInTable(float texel)
+{
+  float last = float(textureSize(in_TransferTable, 0).x - 1);
+  return clamp(texel * in_TexelToTable.x + in_TexelToTable.y, 0.0, last);
+}
+
+// The interval of the table that a position lies in, by its first entry.
+float intervalOf(float position)
+{
+  return min(floor(position), float(textureSize(in_TransferTable, 0).x - 2));
+}
+
+vec4 matterAtPosition(float position)
+{
+  float interval = intervalOf(position);
+  return mix(entryOfTable(int(interval)), entryOfTable(int(interval) + 1), position - interval);
+}
+
+// 1 - exp(-depth), without cancellation.
+float opacityOfDepth(float depth)
+{
+  return depth < 0.03 ? depth * (1.0 - depth * (0.5 - depth * (1.0 / 6.0 - depth / 24.0)))
+                      : 1.0 - exp(-depth);
+}
+
+// Colour, multiplied by opacity, and opacity of matter that is the same over a length.
+vec4 layerOf(vec4 matter, float length)
+{
+  float opacity = opacityOfDepth(matter.a * length);
+  return vec4(matter.rgb * opacity, opacity);
+}
+
+vec4 composite(vec4 front, vec4 back)
+{
+  return front + (1.0 - front.a) * back;
+}
+
+// Cells of which a corner is not finite are holes; their texels lie far beyond 1, and so does
+// whatever is interpolated from them.
+bool isHole(float texel)
+{
+  return texel > 2.0;
+}
