@@ -2,7 +2,6 @@
 
 #include "vtkOpenGLFlatBlockRayCaster.h"
 
-#include "TransferIntegrals.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
@@ -10,6 +9,7 @@
 #include "vtkOpenGLFlatBlockAtlas.h"
 #include "vtkOpenGLFlatBlockRayImage.h"
 #include "vtkOpenGLFlatBlockSceneDepth.h"
+#include "vtkOpenGLFlatBlockTransferTable.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
@@ -31,7 +31,6 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <vector>
 
 vtkStandardNewMacro(vtkOpenGLFlatBlockRayCaster);
 
@@ -160,24 +159,23 @@ vtkOpenGLFlatBlockRayCaster::~vtkOpenGLFlatBlockRayCaster() = default;
 
 void vtkOpenGLFlatBlockRayCaster::SetMemoryCounter(flatblock::MemoryCounter* counter)
 {
-  this->TableBytes.SetCounter(counter);
+  this->TransferTable->SetMemoryCounter(counter);
   this->SceneDepth->SetMemoryCounter(counter);
   this->RayImage->SetMemoryCounter(counter);
 }
 
 namespace
 {
-int GetRows(const flatblock::RaySampling& sampling)
+bool NeedsIntegrals(const flatblock::RaySampling& sampling)
 {
-  return sampling.Method == flatblock::Classification::PreIntegrated ? flatblock::TransferRows : 1;
+  return sampling.Method == flatblock::Classification::PreIntegrated;
 }
 } // namespace
 
 vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetTableBytes(
   const flatblock::TransferTable& table, const flatblock::RaySampling& sampling)
 {
-  return static_cast<vtkTypeInt64>(
-    GetRows(sampling) * table.GetEntries().size() * sizeof(flatblock::TransferTable::Entry));
+  return vtkOpenGLFlatBlockTransferTable::GetBytes(table, NeedsIntegrals(sampling));
 }
 
 vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetImageBytes(
@@ -191,11 +189,7 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
   const flatblock::TransferTable& table, const flatblock::RaySampling& sampling)
 {
   this->SceneDepth->ReleaseIfStale(renderer);
-  if (this->TableBytes.Get() != GetTableBytes(table, sampling))
-  {
-    this->TransferTexture->ReleaseGraphicsResources(renderer->GetRenderWindow());
-    this->TableBytes.Set(0);
-  }
+  this->TransferTable->ReleaseIfStale(renderer->GetRenderWindow(), table, NeedsIntegrals(sampling));
   if (sampling.HasImage())
   {
     this->RayImage->ReleaseIfStale(renderer, sampling.PixelsPerRay);
@@ -209,26 +203,12 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
 void vtkOpenGLFlatBlockRayCaster::SetTransferTable(vtkOpenGLRenderWindow* window,
   const flatblock::TransferTable& table, const flatblock::RaySampling& sampling)
 {
-  static_assert(sizeof(flatblock::TransferTable::Entry) == 4 * sizeof(float));
-  const int rows = GetRows(sampling);
-  const auto width = static_cast<unsigned int>(table.GetEntries().size());
-  std::vector<flatblock::TransferTable::Entry> texels =
-    rows > 1 ? flatblock::IntegrateTransferTable(table) : table.GetEntries();
-  this->TransferTexture->SetContext(window);
-  this->TransferTexture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->TransferTexture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->TransferTexture->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->TransferTexture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->TransferTexture->Create2DFromRaw(width, rows, 4, VTK_FLOAT, texels.data());
-  this->TableBytes.Set(GetTableBytes(table, sampling));
-  this->TableLowest = table.GetLowest();
-  this->TableHighest = table.GetHighest();
+  this->TransferTable->Upload(window, table, NeedsIntegrals(sampling));
 }
 
 bool vtkOpenGLFlatBlockRayCaster::HasTransferTable(const flatblock::RaySampling& sampling) const
 {
-  return this->TransferTexture->GetHandle() != 0 &&
-         static_cast<int>(this->TransferTexture->GetHeight()) == GetRows(sampling);
+  return this->TransferTable->IsUploaded(NeedsIntegrals(sampling));
 }
 
 void vtkOpenGLFlatBlockRayCaster::Finish()
@@ -263,11 +243,12 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
   // A projection to clip coordinates turns space over once.
   const bool isDrawn = this->DrawRays(renderer, scene, sampleToClip->Determinant() > 0.0);
 
-  for (vtkTextureObject* texture : { scene.Atlas->GetBricks(), scene.Atlas->GetBlockIndex(),
-         this->TransferTexture.Get(), this->SceneDepth->GetTexture() })
+  for (vtkTextureObject* texture :
+    { scene.Atlas->GetBricks(), scene.Atlas->GetBlockIndex(), this->SceneDepth->GetTexture() })
   {
     texture->Deactivate();
   }
+  this->TransferTable->Deactivate();
   return isDrawn;
 }
 
@@ -279,7 +260,7 @@ void vtkOpenGLFlatBlockRayCaster::SetUniforms(
   this->SetGeometry(program, scene, sampleToClip);
   this->SetRays(renderer, program, scene);
   this->SetBlocks(program, scene);
-  this->SetClassification(program, scene);
+  this->TransferTable->Activate(program, scene.Source->GetEncoding());
 }
 
 // Planes are scaled and shifted so that little cancels in single precision, however far the camera
@@ -360,19 +341,6 @@ void vtkOpenGLFlatBlockRayCaster::SetBlocks(vtkShaderProgram* program, const Sce
   program->SetUniform1iv("in_Blocks", 3, grid.GetBlocks().data());
 }
 
-// A texel t is the value offset + scale * t.
-void vtkOpenGLFlatBlockRayCaster::SetClassification(vtkShaderProgram* program, const Scene& scene)
-{
-  const flatblock::TexelEncoding& encoding = scene.Source->GetEncoding();
-  const double span = this->TableHighest - this->TableLowest;
-  const double entriesPerValue = span > 0.0 ? (this->TransferTexture->GetWidth() - 1) / span : 0.0;
-  const float texelToTable[2] = { static_cast<float>(encoding.Scale * entriesPerValue),
-    static_cast<float>((encoding.Offset - this->TableLowest) * entriesPerValue) };
-  this->TransferTexture->Activate();
-  program->SetUniformi("in_TransferTable", this->TransferTexture->GetTextureUnit());
-  program->SetUniform2f("in_TexelToTable", texelToTable);
-}
-
 // Into an image of their own, or the window itself. Nothing but the blend function is left changed
 // when this returns, and that only for a scope.
 bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& scene, bool mirrored)
@@ -432,8 +400,7 @@ void vtkOpenGLFlatBlockRayCaster::DrawBox(vtkOpenGLState* state, bool mirrored)
 
 void vtkOpenGLFlatBlockRayCaster::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->TransferTexture->ReleaseGraphicsResources(window);
-  this->TableBytes.Set(0);
+  this->TransferTable->ReleaseGraphicsResources(window);
   this->SceneDepth->ReleaseGraphicsResources(window);
   this->RayImage->ReleaseGraphicsResources(window);
 }
@@ -441,5 +408,6 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseGraphicsResources(vtkWindow* window)
 void vtkOpenGLFlatBlockRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "TransferTable range: " << this->TableLowest << " " << this->TableHighest << "\n";
+  os << indent << "TransferTable:\n";
+  this->TransferTable->PrintSelf(os, indent.GetNextIndent());
 }

@@ -17,6 +17,7 @@ class vtkMatrix4x4;
 class vtkOpenGLFlatBlockAtlas;
 class vtkOpenGLFlatBlockRayImage;
 class vtkOpenGLFlatBlockSceneDepth;
+class vtkOpenGLFlatBlockTransferTable;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 class vtkRenderer;
@@ -103,16 +104,12 @@ private:
   void SetGeometry(vtkShaderProgram* program, const Scene& scene, vtkMatrix4x4* sampleToClip);
   void SetRays(vtkRenderer* renderer, vtkShaderProgram* program, const Scene& scene);
   void SetBlocks(vtkShaderProgram* program, const Scene& scene);
-  void SetClassification(vtkShaderProgram* program, const Scene& scene);
   bool DrawRays(vtkRenderer* renderer, const Scene& scene, bool mirrored);
   void DrawBox(vtkOpenGLState* state, bool mirrored);
 
-  vtkNew<vtkTextureObject> TransferTexture;
+  vtkNew<vtkOpenGLFlatBlockTransferTable> TransferTable;
   vtkNew<vtkOpenGLFlatBlockSceneDepth> SceneDepth;
   vtkNew<vtkOpenGLFlatBlockRayImage> RayImage;
-  flatblock::CountedBytes TableBytes;
-  double TableLowest = 0.0;
-  double TableHighest = 0.0;
 };
 
 #endif

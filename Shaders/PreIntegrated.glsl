@@ -6,13 +6,14 @@
 // split until that makes no difference. Only matter of notable optical depth asks for it, and such a
 // ray ends soon.
 
-// Rows of the table beside the entries: extinction and colour times extinction, summed up to an
-// entry, as a sum of two floats; and how much colour, its slope, and extinction vary up to there.
-const int SumRow = 1;
-const int RestRow = 2;
-const int VariationRow = 3;
+// Texels of an entry beside itself: extinction and colour times extinction, summed up to it, as a sum
+// of two floats; then sums of how the slopes of colour and extinction change, and of how the colour
+// changes, and the first interval from there on that is not transparent.
+const int Sum = 1;
+const int RestOfSum = 2;
+const int Variation = 3;
 
-const float Tolerance = 2e-4; // of a piece, as a share of its opacity
+const float Tolerance = 9e-5; // of a piece, as a share of its opacity
 
 struct Point
 {
@@ -20,6 +21,7 @@ struct Point
   float interval;
   vec4 low; // entries at the interval's ends
   vec4 high;
+  vec4 matter;
 #ifdef FLATBLOCK_HOLES
   bool isHole;
 #endif
@@ -32,6 +34,7 @@ Point pointAtPosition(float position)
   point.interval = intervalOf(position);
   point.low = entryOfTable(int(point.interval));
   point.high = entryOfTable(int(point.interval) + 1);
+  point.matter = mix(point.low, point.high, position - point.interval);
 #ifdef FLATBLOCK_HOLES
   point.isHole = false;
 #endif
@@ -48,11 +51,6 @@ Point pointAt(Brick brick, vec3 position)
   return point;
 }
 
-vec4 matterOf(Point point)
-{
-  return mix(point.low, point.high, point.position - point.interval);
-}
-
 // Colour times extinction, and extinction, integrated over matter that varies linearly.
 vec4 linearIntegral(vec4 begin, vec4 end, float length)
 {
@@ -60,53 +58,18 @@ vec4 linearIntegral(vec4 begin, vec4 end, float length)
   return length * vec4(color / 6.0, 0.5 * (begin.a + end.a));
 }
 
-// The same between two positions in different intervals, lower.position < upper.position, counted in
-// entries. Everything is added: what is small beside other parts of the table keeps its digits.
-vec4 integralBetween(Point lower, Point upper)
-{
-  vec4 sum = linearIntegral(matterOf(lower), lower.high, lower.interval + 1.0 - lower.position) +
-    linearIntegral(upper.low, matterOf(upper), upper.position - upper.interval);
-  int first = int(lower.interval) + 1;
-  int last = int(upper.interval);
-  if (last > first)
-  {
-    sum += (texelFetch(in_TransferTable, ivec2(last, SumRow), 0) -
-             texelFetch(in_TransferTable, ivec2(first, SumRow), 0)) +
-      (texelFetch(in_TransferTable, ivec2(last, RestRow), 0) -
-        texelFetch(in_TransferTable, ivec2(first, RestRow), 0));
-  }
-  return sum;
-}
-
 float largest(vec3 v)
 {
   return max(v.r, max(v.g, v.b));
 }
 
-// How far the colour may be from one that varies linearly with optical depth.
-float unevennessWithin(vec4 begin, vec4 end)
-{
-  return 0.25 * largest(abs(begin.rgb - end.rgb)) * abs(begin.a - end.a) / (begin.a + end.a);
-}
-
-float unevennessBetween(Point lower, Point upper, float last, vec3 colorChange, float depth)
-{
-  vec3 variation = texelFetch(in_TransferTable, ivec2(last, VariationRow), 0).xyz -
-    texelFetch(in_TransferTable, ivec2(lower.interval, VariationRow), 0).xyz;
-  variation.x += largest(abs(lower.high.rgb - lower.low.rgb));
-  variation.z += abs(lower.high.a - lower.low.a);
-  float quarter = 0.25 * (upper.position - lower.position);
-  float warp = min(quarter * variation.z / depth, 1.0) * largest(abs(colorChange));
-  return min(variation.x, quarter * variation.y + warp);
-}
-
 // integral from 0 to depth of (1/2 - u / depth) exp(-u) du: by how much more the colour in front
-// counts than the one at the back.
+// counts than the one at the back, where it varies linearly with the optical depth u.
 float skewOfDepth(float depth, float opacity)
 {
   return depth < 0.3
     ? depth * depth * (1.0 / 12.0 - depth * (1.0 / 24.0 - depth * (1.0 / 80.0 - depth / 360.0)))
-    : 0.5 * opacity + exp(-depth) - opacity / depth;
+    : 0.5 * opacity + (1.0 - opacity) - opacity / depth;
 }
 
 struct Piece
@@ -114,6 +77,36 @@ struct Piece
   vec4 color;  // multiplied by opacity, and opacity
   float error; // as a share of the opacity, at most, in multiples of the tolerance
 };
+
+vec4 tableTexel(float entry, int texel)
+{
+  return texelFetch(in_TransferTable, int(entry) * in_TexelsPerEntry + texel);
+}
+
+// Integral between two positions in different intervals, counted in entries. Everything is added: what
+// is small beside other parts of the table keeps its digits.
+vec4 integralBetween(Point lower, Point upper)
+{
+  vec4 sum = linearIntegral(lower.matter, lower.high, lower.interval + 1.0 - lower.position) +
+    linearIntegral(upper.low, upper.matter, upper.position - upper.interval);
+  float first = lower.interval + 1.0;
+  if (upper.interval > first)
+  {
+    sum += (tableTexel(upper.interval, Sum) - tableTexel(first, Sum)) +
+      (tableTexel(upper.interval, RestOfSum) - tableTexel(first, RestOfSum));
+  }
+  return sum;
+}
+
+// How far the colour may be from one that varies linearly with optical depth where extinction does.
+float unevennessBetween(Point lower, Point upper, float last, float changed, float extinction)
+{
+  vec3 variation =
+    tableTexel(last, Variation).xyz - tableTexel(lower.interval, Variation).xyz;
+  float total = variation.z + largest(abs(lower.high.rgb - lower.low.rgb));
+  float bend = variation.x + changed * variation.y / extinction;
+  return min(total, 0.25 * (upper.position - lower.position) * bend);
+}
 
 Piece pieceBetween(Point front, Point back, float length, float lengthPerEntry)
 {
@@ -128,26 +121,26 @@ Piece pieceBetween(Point front, Point back, float length, float lengthPerEntry)
   // Of the upper point's interval there is nothing where it lies at its beginning.
   float last = upper.position > upper.interval ? upper.interval : upper.interval - 1.0;
   bool isWithin = last <= lower.interval;
-  vec4 begin = matterOf(front);
-  vec4 end = matterOf(back);
-  vec4 integral = isWithin ? linearIntegral(begin, end, length)
+  vec4 integral = isWithin ? linearIntegral(front.matter, back.matter, length)
                            : lengthPerEntry * integralBetween(lower, upper);
   float depth = integral.a;
   if (depth <= 0.0)
   {
     return Piece(vec4(0.0), 0.0);
   }
-  vec3 change = begin.rgb - end.rgb;
+  vec3 change = front.matter.rgb - back.matter.rgb;
+  float changed = largest(abs(change));
+  float slope = (back.matter.a - front.matter.a) / max(front.matter.a + back.matter.a, 1e-30);
   float opacity = opacityOfDepth(depth);
+  float skew = skewOfDepth(depth, opacity) * (1.0 - 0.2 * slope * slope);
   Piece piece;
-  piece.color = vec4(
-    integral.rgb * (opacity / depth) + change * skewOfDepth(depth, opacity), opacity);
-  piece.error = min(0.25 * depth, 1.0) / Tolerance;
-  if (piece.error > 1.0)
+  piece.color = vec4(integral.rgb * (opacity / depth) + change * skew, opacity);
+  piece.error = min(depth * depth / 360.0, 0.34) * changed * abs(slope) / Tolerance;
+  if (!isWithin && 0.25 * depth > Tolerance)
   {
-    piece.error *= isWithin
-      ? unevennessWithin(begin, end)
-      : unevennessBetween(lower, upper, last, change, depth / lengthPerEntry);
+    piece.error += min(0.25 * depth, 1.0) / Tolerance *
+      unevennessBetween(lower, upper, last, changed,
+        depth / max(length, 1e-30) );
   }
   return piece;
 }

@@ -2,25 +2,26 @@
 // linear in between. Positions in it are counted in entries; extinction is that of the length of the
 // smallest spacing, and lengths are counted in it.
 
-uniform sampler2D in_TransferTable;
+uniform samplerBuffer in_TransferTable; // some texels for each entry, the first one is the entry
+uniform int in_TexelsPerEntry;
+uniform float in_LastEntry;
 uniform vec2 in_TexelToTable; // scale and offset: texel of the atlas to position
 
 // Colour, not multiplied by anything, and extinction, of an entry.
 vec4 entryOfTable(int entry)
 {
-  return texelFetch(in_TransferTable, ivec2(entry, 0), 0);
+  return texelFetch(in_TransferTable, entry * in_TexelsPerEntry);
 }
 
 float positionInTable(float texel)
 {
-  float last = float(textureSize(in_TransferTable, 0).x - 1);
-  return clamp(texel * in_TexelToTable.x + in_TexelToTable.y, 0.0, last);
+  return clamp(texel * in_TexelToTable.x + in_TexelToTable.y, 0.0, in_LastEntry);
 }
 
 // The interval of the table that a position lies in, by its first entry.
 float intervalOf(float position)
 {
-  return min(floor(position), float(textureSize(in_TransferTable, 0).x - 2));
+  return min(floor(position), in_LastEntry - 1.0);
 }
 
 vec4 matterAtPosition(float position)

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 
 namespace flatblock
 {
@@ -25,51 +26,70 @@ std::array<double, 4> Integrate(const Entry& begin, const Entry& end)
   return integral;
 }
 
-std::array<double, 3> GetSlope(const Entry& begin, const Entry& end)
+template <typename Numbers>
+std::array<double, 4> GetChange(const Numbers& from, const Numbers& to)
 {
-  return { double(end[0]) - begin[0], double(end[1]) - begin[1], double(end[2]) - begin[2] };
+  return { double(to[0]) - from[0], double(to[1]) - from[1], double(to[2]) - from[2],
+    double(to[3]) - from[3] };
 }
 
-double GetLargest(const std::array<double, 3>& change)
+double GetLargestOfColor(const std::array<double, 4>& change)
 {
   return std::max({ std::abs(change[0]), std::abs(change[1]), std::abs(change[2]) });
 }
 
-void WriteSums(const std::vector<Entry>& entries, Entry* sums, Entry* rests)
+void WriteSums(const std::vector<Entry>& entries, Entry* texels)
 {
   std::array<double, 4> sum = { 0.0, 0.0, 0.0, 0.0 };
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
+    Entry& rounded = texels[i * TransferTexels + 1];
+    Entry& rest = texels[i * TransferTexels + 2];
     for (int c = 0; c < 4; ++c)
     {
-      sums[i][c] = static_cast<float>(sum[c]);
-      rests[i][c] = static_cast<float>(sum[c] - sums[i][c]);
+      rounded[c] = static_cast<float>(sum[c]);
+      rest[c] = static_cast<float>(sum[c] - rounded[c]);
     }
     if (i + 1 < entries.size())
     {
       const std::array<double, 4> integral = Integrate(entries[i], entries[i + 1]);
-      std::transform(sum.begin(), sum.end(), integral.begin(), sum.begin(),
-        [](double a, double b) { return a + b; });
+      std::transform(sum.begin(), sum.end(), integral.begin(), sum.begin(), std::plus<double>());
     }
   }
 }
 
-void WriteVariations(const std::vector<Entry>& entries, Entry* variations)
+void WriteVariations(const std::vector<Entry>& entries, Entry* texels)
 {
-  std::array<double, 3> sum = { 0.0, 0.0, 0.0 };
-  std::array<double, 3> slopeBefore = { 0.0, 0.0, 0.0 };
+  double colorBends = 0.0;
+  double extinctionBends = 0.0;
+  double colorChanges = 0.0;
+  std::array<double, 4> before = { 0.0, 0.0, 0.0, 0.0 };
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
-    const Entry& next = entries[std::min(i + 1, entries.size() - 1)];
-    const std::array<double, 3> slope = GetSlope(entries[i], next);
-    sum[0] += GetLargest(slope);
-    sum[1] += i == 0 ? 0.0
-                     : GetLargest({ slope[0] - slopeBefore[0], slope[1] - slopeBefore[1],
-                         slope[2] - slopeBefore[2] });
-    sum[2] += std::abs(double(next[3]) - entries[i][3]);
-    slopeBefore = slope;
-    variations[i] = { static_cast<float>(sum[0]), static_cast<float>(sum[1]),
-      static_cast<float>(sum[2]), 0.0F };
+    const std::array<double, 4> slope =
+      GetChange(entries[i], entries[std::min(i + 1, entries.size() - 1)]);
+    if (i > 0)
+    {
+      const std::array<double, 4> bend = GetChange(before, slope);
+      colorBends += GetLargestOfColor(bend);
+      extinctionBends += std::abs(bend[3]);
+    }
+    colorChanges += GetLargestOfColor(slope);
+    before = slope;
+    texels[i * TransferTexels + 3] = { static_cast<float>(colorBends),
+      static_cast<float>(extinctionBends), static_cast<float>(colorChanges), 0.0F };
+  }
+}
+
+void WriteVisible(const std::vector<Entry>& entries, Entry* texels)
+{
+  auto next = static_cast<float>(entries.size());
+  for (std::size_t i = entries.size(); i-- > 0;)
+  {
+    const bool isVisible =
+      entries[i][3] > 0.0F || (i + 1 < entries.size() && entries[i + 1][3] > 0.0F);
+    next = isVisible ? static_cast<float>(i) : next;
+    texels[i * TransferTexels + 3][3] = next;
   }
 }
 } // namespace
@@ -77,11 +97,14 @@ void WriteVariations(const std::vector<Entry>& entries, Entry* variations)
 std::vector<TransferTable::Entry> IntegrateTransferTable(const TransferTable& table)
 {
   const auto& entries = table.GetEntries();
-  const std::size_t count = entries.size();
-  std::vector<Entry> rows(TransferRows * count);
-  std::copy(entries.begin(), entries.end(), rows.begin());
-  WriteSums(entries, &rows[count], &rows[2 * count]);
-  WriteVariations(entries, &rows[3 * count]);
-  return rows;
+  std::vector<Entry> texels(TransferTexels * entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    texels[i * TransferTexels] = entries[i];
+  }
+  WriteSums(entries, texels.data());
+  WriteVariations(entries, texels.data());
+  WriteVisible(entries, texels.data());
+  return texels;
 }
 } // namespace flatblock

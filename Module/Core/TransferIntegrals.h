@@ -7,16 +7,18 @@
 
 namespace flatblock
 {
-/// Rows of texels, each with one for every entry of the table:
-/// - the entries themselves
+/// Texels for each entry of the table:
+/// - the entry itself
 /// - colour times extinction, and extinction, integrated from the first entry to this one, with
 ///   lengths counted in entries, both being linear between entries: as a float,
 /// - and what that float leaves out: the sum of both has 48 bits, so that what is small keeps its
 ///   digits behind what is large
-/// - sums up to here of how much varies from one entry to the next: the colour (the channel that
-///   varies most), the colour's slope, the extinction; here included
-constexpr int TransferRows = 4;
+/// - sums of by how much the slopes of the colour (of the channel that changes most) and of the
+///   extinction change at the entries up to here; sum of by how much the colour changes in the
+///   intervals up to the one that begins here; and the first interval from here on that has
+///   extinction
+constexpr int TransferTexels = 4;
 
-/// Writes the rows, one behind the other. O(entries).
+/// Writes the texels, entry by entry. O(entries).
 std::vector<TransferTable::Entry> IntegrateTransferTable(const TransferTable& table);
 } // namespace flatblock

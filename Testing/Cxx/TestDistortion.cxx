@@ -266,7 +266,7 @@ TEST(Distortion, OddFunctionsAreTaken)
 {
   Scene scene;
   ShowLayers(scene);
-  scene.Mapper->SetMaxMemoryInBytes(460000); // nodes this close have a table of 128 KiB
+  scene.Mapper->SetMaxMemoryInBytes(850000); // nodes this close have a table of 512 KiB
   scene.Property->GetScalarOpacity()->AllowDuplicateScalarsOn();
   for (const double opacity : { 0.1, 0.8, 0.3 })
   {

@@ -348,7 +348,7 @@ TEST(Levels, FilteredLevelsAreSmooth)
   scene.SetVolume(ripple, 0.5);
   scene.SetRamp(10000.0, 40000.0, 0.05);
   scene.Mapper->SetBlockSize(17);
-  scene.Mapper->SetMaxMemoryInBytes(330000);
+  scene.Mapper->SetMaxMemoryInBytes(379152);
   scene.LookFrom(20.0, 30.0);
   scene.Draw();
   EXPECT_LT(scene.Mapper->GetNumberOfBricks(0), 5);

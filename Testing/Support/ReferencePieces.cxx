@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -34,7 +35,7 @@ PositionTable::PositionTable(const ReferenceTable& table)
   }
 }
 
-void PositionTable::AddSums(std::size_t entry)
+std::pair<double, double> PositionTable::GetBend(std::size_t entry) const
 {
   const auto& here = this->Entries[entry];
   const auto& left = this->Entries[entry == 0 ? 0 : entry - 1];
@@ -44,12 +45,17 @@ void PositionTable::AddSums(std::size_t entry)
   {
     bends[c] = std::abs((right[c] - here[c]) - (here[c] - left[c]));
   }
-  const double color = std::max({ bends[0], bends[1], bends[2] });
+  return { std::max({ bends[0], bends[1], bends[2] }), bends[3] };
+}
+
+void PositionTable::AddSums(std::size_t entry)
+{
+  const auto [color, extinction] = this->GetBend(entry);
   Sums sums = this->SumsBefore.back();
   sums.Color += color;
-  sums.Extinction += bends[3];
-  sums.Bends += color > 0.0 || bends[3] > 0.0 ? 1 : 0;
-  sums.Visible += here[3] > 0.0 ? 1 : 0;
+  sums.Extinction += extinction;
+  sums.Bends += color > 0.0 || extinction > 0.0 ? 1 : 0;
+  sums.Visible += this->Entries[entry][3] > 0.0 ? 1 : 0;
   this->SumsBefore.push_back(sums);
 }
 
@@ -78,26 +84,61 @@ std::array<double, 4> PositionTable::GetEntry(double position) const
   return entry;
 }
 
-// Each bend between the interval's ends moves the table from its chord by a quarter of the width
-// at most.
-std::pair<double, double> PositionTable::GetDeviation(double lowest, double highest) const
+std::pair<std::size_t, std::size_t> PositionTable::GetInside(double lowest, double highest) const
 {
   const auto size = static_cast<double>(this->Entries.size());
-  const auto first = static_cast<std::size_t>(std::clamp(std::floor(lowest) + 1.0, 0.0, size));
-  const auto end = static_cast<std::size_t>(std::clamp(std::ceil(highest), 0.0, size));
+  return { static_cast<std::size_t>(std::clamp(std::floor(lowest) + 1.0, 0.0, size)),
+    static_cast<std::size_t>(std::clamp(std::ceil(highest), 0.0, size)) };
+}
+
+// A bend at x moves the table from its chord by its size times (x - lowest) (highest - x) / width:
+// the outermost two by that, those between by a quarter of the width at most.
+std::pair<double, double> PositionTable::GetDeviation(double lowest, double highest) const
+{
+  const auto [first, end] = this->GetInside(lowest, highest);
   if (first >= end || this->SumsBefore[end].Bends == this->SumsBefore[first].Bends)
   {
     return { 0.0, 0.0 };
   }
-  // A sum may have lost small bends after large ones.
-  const long double lost =
-    std::numeric_limits<long double>::epsilon() * static_cast<long double>(end - first);
-  const Sums& before = this->SumsBefore[first];
-  const Sums& until = this->SumsBefore[end];
-  const Sums& all = this->SumsBefore.back();
-  const double quarter = 0.25 * (highest - lowest);
-  return { quarter * static_cast<double>(until.Color - before.Color + lost * all.Color),
-    quarter * static_cast<double>(until.Extinction - before.Extinction + lost * all.Extinction) };
+  std::pair<double, double> result = { 0.0, 0.0 };
+  const auto add = [&, low = lowest, high = highest](std::size_t entry)
+  {
+    const auto [color, extinction] = this->GetBend(entry);
+    const auto at = static_cast<double>(entry);
+    const double arm = (at - low) * (high - at) / (high - low);
+    result.first += color * arm;
+    result.second += extinction * arm;
+  };
+  add(first);
+  if (end - first > 1)
+  {
+    add(end - 1);
+  }
+  if (end - first > 2)
+  {
+    // A sum may have lost small bends after large ones.
+    const long double lost =
+      std::numeric_limits<long double>::epsilon() * static_cast<long double>(end - first);
+    const Sums& before = this->SumsBefore[first + 1];
+    const Sums& until = this->SumsBefore[end - 1];
+    const Sums& all = this->SumsBefore.back();
+    const long double quarter = 0.25L * (highest - lowest);
+    result.first += static_cast<double>(quarter * (until.Color - before.Color + lost * all.Color));
+    result.second +=
+      static_cast<double>(quarter * (until.Extinction - before.Extinction + lost * all.Extinction));
+  }
+  return result;
+}
+
+double PositionTable::GetMiddleEntry(double lowest, double highest) const
+{
+  const auto [first, end] = this->GetInside(lowest, highest);
+  if (first >= end)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return std::clamp(
+    std::round(0.5 * (lowest + highest)), static_cast<double>(first), static_cast<double>(end - 1));
 }
 
 void RaySum::Append(const RaySum& behind)
@@ -167,21 +208,52 @@ RaySum RayRule::Integrate(
 }
 
 // By de Casteljau.
-std::pair<RayPiece, RayPiece> RayRule::Halve(const RayPiece& piece) const
+std::pair<RayPiece, RayPiece> RayRule::Split(const RayPiece& piece, double at) const
 {
-  std::pair<RayPiece, RayPiece> halves;
-  auto& [front, back] = halves;
-  front.Length = back.Length = 0.5 * piece.Length;
+  std::pair<RayPiece, RayPiece> parts;
+  auto& [front, back] = parts;
+  front.Length = at * piece.Length;
+  back.Length = (1.0 - at) * piece.Length;
   back.Field = piece.Field;
   for (int level = 0; level <= this->Degree; ++level)
   {
     front.Field[level] = back.Field[0];
     for (int i = 0; i < this->Degree - level; ++i)
     {
-      back.Field[i] = 0.5 * (back.Field[i] + back.Field[i + 1]);
+      back.Field[i] = (1.0 - at) * back.Field[i] + at * back.Field[i + 1];
     }
   }
-  return halves;
+  return parts;
+}
+
+// By the Illinois variant of regula falsi.
+double RayRule::Find(const RayPiece& piece, double position) const
+{
+  const auto& field = piece.Field;
+  const auto* end = field.data() + this->Degree + 1;
+  if (!std::is_sorted(field.data(), end) && !std::is_sorted(field.data(), end, std::greater<>()))
+  {
+    return 0.5;
+  }
+  std::array<double, 2> ends = { 0.0, 1.0 };
+  std::array<double, 2> values = { field[0] - position, field[this->Degree] - position };
+  const double enough = 4.0 * std::numeric_limits<double>::epsilon() * (1.0 + position);
+  double at = 0.5;
+  for (int step = 0, last = -1; step < 50; ++step)
+  {
+    at = (ends[0] * values[1] - ends[1] * values[0]) / (values[1] - values[0]);
+    const double value = this->Split(piece, at).second.Field[0] - position;
+    if (std::abs(value) <= enough)
+    {
+      break;
+    }
+    const int side = (value > 0.0) == (values[0] > 0.0) ? 0 : 1;
+    values[1 - side] *= side == last ? 0.5 : 1.0;
+    ends[side] = at;
+    values[side] = value;
+    last = side;
+  }
+  return at > 0.0 && at < 1.0 ? at : 0.5;
 }
 
 RayWalk::RayWalk(const PositionTable& table, const RayRule& rule, double length)
@@ -208,9 +280,17 @@ void RayWalk::Add(const RayPiece& piece, int splits)
     this->Result.Append(sum);
     return;
   }
-  const auto [front, back] = this->Rule.Halve(piece);
+  const auto [front, back] = this->Rule.Split(piece, this->FindSplit(piece, *low, *high));
   this->Add(front, splits + 1);
   this->Add(back, splits + 1);
+}
+
+// At an entry, so that the table has no bend there any more; where that can't be, in the middle.
+double RayWalk::FindSplit(const RayPiece& piece, double low, double high) const
+{
+  constexpr double Least = 1e-9; // rounding is far below
+  const double entry = this->Table.GetMiddleEntry(low, high);
+  return entry - low > Least && high - entry > Least ? this->Rule.Find(piece, entry) : 0.5;
 }
 
 bool RayWalk::Integrate(const RayPiece& piece, double low, double high, RaySum& sum) const
@@ -222,7 +302,7 @@ bool RayWalk::Integrate(const RayPiece& piece, double low, double high, RaySum& 
   {
     value = high > low ? (value - low) / (high - low) : 0.0;
   }
-  const auto [front, back] = this->Rule.Halve(shares);
+  const auto [front, back] = this->Rule.Split(shares, 0.5);
   sum = this->Rule.Integrate(front, first, last);
   sum.Append(this->Rule.Integrate(back, first, last));
   const double seen = std::exp(-this->Result.Depth);

@@ -35,6 +35,9 @@ public:
   /// How far colour and extinction may lie from their chord over the interval.
   std::pair<double, double> GetDeviation(double lowest, double highest) const;
 
+  /// The position of the entry inside the interval that is nearest to its middle, or NaN.
+  double GetMiddleEntry(double lowest, double highest) const;
+
 private:
   struct Sums
   {
@@ -44,7 +47,11 @@ private:
     std::size_t Visible = 0;
   };
 
+  /// Absolute second differences of colour and extinction.
+  std::pair<double, double> GetBend(std::size_t entry) const;
   void AddSums(std::size_t entry);
+  /// The first entry inside an interval, and the one behind the last.
+  std::pair<std::size_t, std::size_t> GetInside(double lowest, double highest) const;
   std::size_t Clamp(double position) const;
 
   double Lowest;
@@ -83,7 +90,11 @@ public:
   RaySum Integrate(const RayPiece& piece, const std::array<double, 4>& low,
     const std::array<double, 4>& high) const;
 
-  std::pair<RayPiece, RayPiece> Halve(const RayPiece& piece) const;
+  /// `at` and what Find() returns are shares of the length.
+  std::pair<RayPiece, RayPiece> Split(const RayPiece& piece, double at) const;
+  /// Where the field passes a position between its least and its largest, or the middle where it
+  /// may turn.
+  double Find(const RayPiece& piece, double position) const;
 
 private:
   static constexpr int Nodes = 5;
@@ -93,7 +104,7 @@ private:
   std::array<std::array<double, RayPiece::MostDegree + 2>, Nodes> DepthBasis = {};
 };
 
-/// Gathers the pieces of one ray from front to back, halving each until it is good enough.
+/// Gathers the pieces of one ray from front to back, splitting each until it is good enough.
 class RayWalk
 {
 public:
@@ -111,6 +122,7 @@ public:
 private:
   /// The sum of a piece whose values are in [low, high]. False where it may be too wrong.
   bool Integrate(const RayPiece& piece, double low, double high, RaySum& sum) const;
+  double FindSplit(const RayPiece& piece, double low, double high) const;
 
   const PositionTable& Table;
   const RayRule& Rule;

@@ -41,9 +41,9 @@ struct ReferenceView
 /// A = 1 - exp(-int tau), of which the result is {C, A}: premultiplied colour and opacity.
 ///
 /// A ray is cut at the faces of the cells, where the field is a polynomial along it, and the pieces
-/// are halved until the table is straight over a piece's values and a Gauss rule agrees with that
-/// of the halves. Both are bounds by the polynomial's Bernstein coefficients and by sums over
-/// the table, not by samples, so no feature of the table is missed.
+/// are split until the table is straight over a piece's values and a Gauss rule agrees with that of
+/// the halves. The range of the values is bounded by the polynomial's Bernstein coefficients, and
+/// the table's bends are summed, not sampled, so no feature of the table is missed.
 class ReferenceRayCaster
 {
 public:

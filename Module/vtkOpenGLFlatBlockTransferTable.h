@@ -1,0 +1,78 @@
+/**
+ * @class   vtkOpenGLFlatBlockTransferTable
+ * @brief   a transfer function on the graphics card, with its integrals where they are asked for
+ */
+
+#ifndef vtkOpenGLFlatBlockTransferTable_h
+#define vtkOpenGLFlatBlockTransferTable_h
+
+#include "BrickSource.h"
+#include "MemoryCounter.h"
+#include "TransferTable.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+
+class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkOpenGLFlatBlockTransferTable : public vtkObject
+{
+public:
+  static vtkOpenGLFlatBlockTransferTable* New();
+  vtkTypeMacro(vtkOpenGLFlatBlockTransferTable, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Counts what is allocated from now on.
+   */
+  void SetMemoryCounter(flatblock::MemoryCounter* counter) { this->Bytes.SetCounter(counter); }
+
+  /**
+   * Bytes that a table takes.
+   */
+  static vtkTypeInt64 GetBytes(const flatblock::TransferTable& table, bool hasIntegrals);
+
+  /**
+   * Sends a table to the graphics card.
+   */
+  void Upload(
+    vtkOpenGLRenderWindow* window, const flatblock::TransferTable& table, bool hasIntegrals);
+
+  /**
+   * Whether there is one, with integrals or without.
+   */
+  bool IsUploaded(bool hasIntegrals) const;
+
+  /**
+   * Texels are those of an atlas. Active until Deactivate().
+   */
+  void Activate(vtkShaderProgram* program, const flatblock::TexelEncoding& texels);
+  void Deactivate();
+
+  /**
+   * Releases what the next Upload() will allocate in another size.
+   */
+  void ReleaseIfStale(vtkWindow* window, const flatblock::TransferTable& table, bool hasIntegrals);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+protected:
+  vtkOpenGLFlatBlockTransferTable();
+  ~vtkOpenGLFlatBlockTransferTable() override;
+
+private:
+  vtkOpenGLFlatBlockTransferTable(const vtkOpenGLFlatBlockTransferTable&) = delete;
+  void operator=(const vtkOpenGLFlatBlockTransferTable&) = delete;
+
+  vtkNew<vtkOpenGLBufferObject> Buffer;
+  vtkNew<vtkTextureObject> Texture;
+  flatblock::CountedBytes Bytes;
+  bool HasIntegrals = false;
+  double Lowest = 0.0;
+  double Highest = 0.0;
+  int Entries = 0;
+};
+
+#endif
