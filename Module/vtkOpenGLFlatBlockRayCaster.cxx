@@ -2,6 +2,7 @@
 
 #include "vtkOpenGLFlatBlockRayCaster.h"
 
+#include "RaySight.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
@@ -50,24 +51,6 @@ void GetSampleToClip(vtkRenderer* renderer, vtkMatrix4x4* sampleToWorld, vtkMatr
   vtkNew<vtkMatrix4x4> worldToClip;
   vtkMatrix4x4::Transpose(clip, worldToClip);
   vtkMatrix4x4::Multiply4x4(worldToClip, sampleToWorld, sampleToClip);
-}
-
-// Perspective: (-eye, 1); parallel: (direction of sight, 0); in samples. The eye is where x, y and
-// w of clip coordinates vanish: so stereo and sheared projections are right, too.
-std::array<float, 4> GetEye(vtkMatrix4x4* sampleToClip, bool parallel)
-{
-  vtkNew<vtkMatrix4x4> clipToSample;
-  vtkMatrix4x4::Invert(sampleToClip, clipToSample);
-  const double eyeInClip[4] = { 0.0, 0.0, -1.0, 0.0 };
-  double eye[4];
-  clipToSample->MultiplyPoint(eyeInClip, eye);
-  double length = eye[3];
-  if (parallel)
-  {
-    length = std::hypot(eye[0], eye[1], eye[2]);
-  }
-  return { static_cast<float>(-eye[0] / length), static_cast<float>(-eye[1] / length),
-    static_cast<float>(-eye[2] / length), parallel ? 0.0F : 1.0F };
 }
 
 const char* GetClassification(flatblock::Classification method)
@@ -134,6 +117,21 @@ void SetRow(vtkShaderProgram* program, const char* name, const Row& row, double 
   std::transform(row.begin(), row.end(), values,
     [scale](double value) { return static_cast<float>(value * scale); });
   program->SetUniform4f(name, values);
+}
+
+void SetColumns(vtkShaderProgram* program, const char* name, const std::array<double, 9>& columns)
+{
+  float values[9];
+  std::transform(
+    columns.begin(), columns.end(), values, [](double value) { return static_cast<float>(value); });
+  program->SetUniformMatrix3x3(name, values);
+}
+
+void SetSight(vtkShaderProgram* program, const flatblock::RaySight& sight)
+{
+  SetColumns(program, "in_PixelToOrigin", sight.Origin);
+  SetColumns(program, "in_PixelToSight", sight.Direction);
+  SetRow(program, "in_Eye", sight.Eye);
 }
 
 void SetDirections(
@@ -240,8 +238,18 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
     SetDirections(program, "in_SampleToWorld", sampleToWorld, 1.0);
   }
 
-  // A projection to clip coordinates turns space over once.
-  const bool isDrawn = this->DrawRays(renderer, scene, sampleToClip->Determinant() > 0.0);
+  Cover cover = Cover::Box;
+  if (flatblock::IsBoxTooCloseToDraw(
+        &sampleToClip->Element[0][0], scene.Source->GetGrid().GetSamples()))
+  {
+    cover = Cover::Viewport;
+  }
+  else if (sampleToClip->Determinant() > 0.0)
+  {
+    cover = Cover::MirroredBox; // a projection to clip coordinates turns space over once
+  }
+  program->SetUniformi("in_CoversViewport", cover == Cover::Viewport ? 1 : 0);
+  const bool isDrawn = this->DrawRays(renderer, scene, cover);
 
   for (vtkTextureObject* texture :
     { scene.Atlas->GetBricks(), scene.Atlas->GetBlockIndex(), this->SceneDepth->GetTexture() })
@@ -256,7 +264,8 @@ void vtkOpenGLFlatBlockRayCaster::SetUniforms(
   vtkRenderer* renderer, vtkShaderProgram* program, const Scene& scene, vtkMatrix4x4* sampleToClip)
 {
   const bool parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
-  program->SetUniform4f("in_Eye", GetEye(sampleToClip, parallel).data());
+  SetSight(program, flatblock::ComputeRaySight(&sampleToClip->Element[0][0],
+                      scene.Source->GetGrid().GetSamples(), parallel));
   this->SetGeometry(program, scene, sampleToClip);
   this->SetRays(renderer, program, scene);
   this->SetBlocks(program, scene);
@@ -296,14 +305,17 @@ void vtkOpenGLFlatBlockRayCaster::SetRays(
 {
   const flatblock::RaySampling& sampling = scene.Sampling;
   const int imageOrigin[2] = { 0, 0 };
+  vtkTextureObject* depth = this->SceneDepth->GetTexture();
+  const float size[2] = { static_cast<float>(depth->GetWidth()),
+    static_cast<float>(depth->GetHeight()) };
   float pixelsPerRay[2] = { 1.0F, 1.0F };
   if (sampling.HasImage())
   {
     const auto rays = vtkOpenGLFlatBlockRayImage::GetSize(renderer, sampling.PixelsPerRay);
-    vtkTextureObject* depth = this->SceneDepth->GetTexture();
-    pixelsPerRay[0] = static_cast<float>(depth->GetWidth()) / static_cast<float>(rays[0]);
-    pixelsPerRay[1] = static_cast<float>(depth->GetHeight()) / static_cast<float>(rays[1]);
+    pixelsPerRay[0] = size[0] / static_cast<float>(rays[0]);
+    pixelsPerRay[1] = size[1] / static_cast<float>(rays[1]);
   }
+  program->SetUniform2f("in_ViewportSize", size);
   this->SceneDepth->GetTexture()->Activate();
   program->SetUniformi("in_SceneDepth", this->SceneDepth->GetTexture()->GetTextureUnit());
   program->SetUniform2i(
@@ -343,7 +355,7 @@ void vtkOpenGLFlatBlockRayCaster::SetBlocks(vtkShaderProgram* program, const Sce
 
 // Into an image of their own, or the window itself. Nothing but the blend function is left changed
 // when this returns, and that only for a scope.
-bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& scene, bool mirrored)
+bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& scene, Cover cover)
 {
   vtkOpenGLState* state =
     vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetState();
@@ -358,7 +370,7 @@ bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& s
   if (!scene.Sampling.HasImage())
   {
     state->vtkglEnable(GL_BLEND);
-    this->DrawBox(state, mirrored);
+    this->DrawCover(state, cover);
     return true;
   }
   this->RayImage->Begin(renderer, scene.Sampling.PixelsPerRay);
@@ -366,7 +378,7 @@ bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& s
     vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
     state->vtkglDisable(GL_SCISSOR_TEST);
     state->vtkglDisable(GL_BLEND);
-    this->DrawBox(state, mirrored);
+    this->DrawCover(state, cover);
   }
   this->RayImage->End(scene.Sampling.MostSamples > 0);
   state->vtkglDisable(GL_CULL_FACE);
@@ -374,21 +386,23 @@ bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& s
   return this->RayImage->Draw(renderer);
 }
 
-// Only the faces where rays leave the box are drawn, so that the eye may be inside. They are not
-// cut at the clipping planes of the camera: the shader does that along the ray.
-void vtkOpenGLFlatBlockRayCaster::DrawBox(vtkOpenGLState* state, bool mirrored)
+// Of a box only the faces where rays leave it are drawn. They are not cut at the clipping planes of
+// the camera: the shader does that along the ray.
+void vtkOpenGLFlatBlockRayCaster::DrawCover(vtkOpenGLState* state, Cover cover)
 {
+  constexpr int ViewportVertices = 3;
   int culledBefore = 0;
   glGetIntegerv(GL_CULL_FACE_MODE, &culledBefore);
   state->vtkglEnable(GL_CULL_FACE);
-  state->vtkglCullFace(mirrored ? GL_BACK : GL_FRONT);
+  state->vtkglCullFace(cover == Cover::Box ? GL_FRONT : GL_BACK);
   const bool clampedBefore = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP);
 
   // Without an array in it: made for this frame, so that no window has to take care of it.
   vtkNew<vtkOpenGLVertexArrayObject> empty;
   empty->Bind();
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, CubeStripVertices);
+  glDrawArrays(
+    GL_TRIANGLE_STRIP, 0, cover == Cover::Viewport ? ViewportVertices : CubeStripVertices);
   empty->Release();
 
   if (!clampedBefore)

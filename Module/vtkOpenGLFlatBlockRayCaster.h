@@ -104,8 +104,14 @@ private:
   void SetGeometry(vtkShaderProgram* program, const Scene& scene, vtkMatrix4x4* sampleToClip);
   void SetRays(vtkRenderer* renderer, vtkShaderProgram* program, const Scene& scene);
   void SetBlocks(vtkShaderProgram* program, const Scene& scene);
-  bool DrawRays(vtkRenderer* renderer, const Scene& scene, bool mirrored);
-  void DrawBox(vtkOpenGLState* state, bool mirrored);
+  enum class Cover
+  {
+    Box,
+    MirroredBox,
+    Viewport
+  };
+  bool DrawRays(vtkRenderer* renderer, const Scene& scene, Cover cover);
+  void DrawCover(vtkOpenGLState* state, Cover cover);
 
   vtkNew<vtkOpenGLFlatBlockTransferTable> TransferTable;
   vtkNew<vtkOpenGLFlatBlockSceneDepth> SceneDepth;

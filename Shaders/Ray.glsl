@@ -1,7 +1,9 @@
 // The ray of a fragment: from where it enters the box, or the eye, to where it leaves the box, or
 // meets opaque geometry.
 
-uniform vec4 in_Eye;             // perspective: (-eye, 1); parallel: (direction of sight, 0)
+uniform vec4 in_Eye;             // xyz, and 1 where there is one: in perspective
+uniform mat3 in_PixelToOrigin;   // (x, y, 1), normalized device coordinates, to a point of the ray
+uniform mat3 in_PixelToSight;    // and to its direction, in samples
 uniform vec3 in_LastSample;      // far corner of the box
 uniform mat3 in_SampleToSteps;   // directions in samples to lengths in steps of the ray
 uniform vec4 in_NearPlane;       // nothing before it is drawn
@@ -10,19 +12,18 @@ uniform vec4 in_SampleToDepth;   // rows of the matrix from samples to clip coor
 uniform vec4 in_SampleToClipW;   // the depth of the middle, so that little cancels; and w
 uniform sampler2D in_SceneDepth; // of the opaque geometry, over the viewport
 uniform ivec2 in_ViewportOrigin;
+uniform vec2 in_ViewportSize;
 uniform vec2 in_PixelsPerRay;
 #ifdef FLATBLOCK_RAY_START
 uniform mat3 in_SampleToWorld;
 uniform float in_RayStart; // in world units from the eye, or in parallel projection the near plane
 #endif
 
-in vec3 boxPosition;
-
 // A step below this many samples brings nothing new: texture units filter to 1/256 of a texel.
 const float LeastAdvance = 1.0 / 256.0;
 
-// Position after t steps: origin + t * direction. The origin lies on the far side of the box, so
-// that distances stay small and exact however far the eye is.
+// Position after t steps: origin + t * direction. The origin is the eye, or where that is far away
+// lies near the middle of the box, so that distances stay small and exact.
 struct Ray
 {
   vec3 origin;
@@ -32,6 +33,12 @@ struct Ray
   float unit; // lengths of the step that was asked for in one step
 };
 
+// From the origin of a ray back to the eye.
+float distanceToEye(Ray ray)
+{
+  return length(in_SampleToSteps * (ray.origin - in_Eye.xyz)) / ray.unit;
+}
+
 // Replaces components so small that dividing by them could overflow.
 vec3 withoutZeros(vec3 v)
 {
@@ -39,15 +46,21 @@ vec3 withoutZeros(vec3 v)
   return mix(v, vec3(least), lessThan(abs(v), vec3(least)));
 }
 
+vec2 pixelOfRay()
+{
+  return (gl_FragCoord.xy - vec2(in_ViewportOrigin)) * in_PixelsPerRay;
+}
+
 Ray rayThroughBox()
 {
-  vec3 sight = boxPosition * in_Eye.w + in_Eye.xyz;
+  vec3 screen = vec3(2.0 * pixelOfRay() / in_ViewportSize - 1.0, 1.0);
+  vec3 sight = in_PixelToSight * screen;
   vec3 direction = sight / length(in_SampleToSteps * sight);
   float advance = max(abs(direction.x), max(abs(direction.y), abs(direction.z)));
 
   Ray ray;
   ray.unit = max(1.0, LeastAdvance / advance);
-  ray.origin = boxPosition;
+  ray.origin = in_PixelToOrigin * screen;
   ray.direction = withoutZeros(direction * ray.unit);
   vec3 toNearCorner = -ray.origin / ray.direction;
   vec3 toFarCorner = (in_LastSample - ray.origin) / ray.direction;
@@ -57,7 +70,7 @@ Ray rayThroughBox()
   ray.end = min(exits.x, min(exits.y, exits.z));
   if (in_Eye.w > 0.0)
   {
-    ray.begin = max(ray.begin, -length(in_SampleToSteps * sight) / ray.unit);
+    ray.begin = max(ray.begin, -distanceToEye(ray));
   }
   return ray;
 }
@@ -78,13 +91,11 @@ void clipToScene(inout Ray ray)
     dot(in_NearPlane.xyz, ray.direction);
   float start = toNearPlane;
 #ifdef FLATBLOCK_RAY_START
-  float toEye = -length(in_SampleToSteps * (boxPosition + in_Eye.xyz)) / ray.unit;
-  start = max(start, mix(toNearPlane, toEye, in_Eye.w) +
-      in_RayStart / length(in_SampleToWorld * ray.direction));
+  float toEye = in_Eye.w > 0.0 ? -distanceToEye(ray) : toNearPlane;
+  start = max(start, toEye + in_RayStart / length(in_SampleToWorld * ray.direction));
 #endif
   ray.begin = max(ray.begin, start);
-  vec2 pixel = floor((gl_FragCoord.xy - vec2(in_ViewportOrigin)) * in_PixelsPerRay);
-  float depth = texelFetch(in_SceneDepth, ivec2(pixel), 0).r;
+  float depth = texelFetch(in_SceneDepth, ivec2(floor(pixelOfRay())), 0).r;
   if (depth < 1.0)
   {
     ray.end = min(ray.end, distanceToDepth(ray, 2.0 * depth - 1.0));

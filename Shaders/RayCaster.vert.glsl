@@ -1,11 +1,10 @@
 //VTK::System::Dec
 
-// The box of a volume, in sample coordinates: (0,0,0) is the first sample, (1,0,0) the next along x.
+// What covers all rays that may meet the volume: its box, in sample coordinates, or the viewport.
 
+uniform bool in_CoversViewport;
 uniform mat4 in_SampleToClip;
 uniform vec3 in_LastSample;
-
-out vec3 boxPosition;
 
 // Corner of a unit cube, drawn as a strip of 14 vertices.
 vec3 cubeCorner(int vertex)
@@ -16,6 +15,12 @@ vec3 cubeCorner(int vertex)
 
 void main()
 {
-  boxPosition = cubeCorner(gl_VertexID) * in_LastSample;
-  gl_Position = in_SampleToClip * vec4(boxPosition, 1.0);
+  if (in_CoversViewport)
+  {
+    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+  }
+  else
+  {
+    gl_Position = in_SampleToClip * vec4(cubeCorner(gl_VertexID) * in_LastSample, 1.0);
+  }
 }

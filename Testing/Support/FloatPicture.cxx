@@ -62,7 +62,7 @@ ReferenceTable SampleProperty(
   property->GetScalarOpacity()->GetTable(range[0], range[1], entries, opacities.data());
   ReferenceTable table;
   table.Lowest = range[0];
-  table.Highest = range[1];
+  table.Highest = span > 0.0 ? range[1] : range[0] + 1.0 + std::abs(range[0]);
   table.Entries.resize(entries);
   for (int i = 0; i < entries; ++i)
   {
