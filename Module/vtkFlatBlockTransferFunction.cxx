@@ -40,6 +40,23 @@ int EstimateEntries(Function* function, const flatblock::ValueRange& range)
                                          : std::max(estimate * EntriesPerEstimate, FewestEntries);
 }
 
+// Where opacity rises to 1 extinction rises without limit, and what lies between the last two entries
+// counts as opaque: so it has to be little.
+bool BecomesOpaque(vtkPiecewiseFunction* opacity, const flatblock::ValueRange& range)
+{
+  bool isBelow = false;
+  bool isOpaque = false;
+  for (int node = 0; node < opacity->GetSize(); ++node)
+  {
+    double values[4];
+    opacity->GetNodeValue(node, values);
+    isBelow = isBelow || values[1] < 1.0;
+    isOpaque =
+      isOpaque || (values[1] >= 1.0 && values[0] >= range.Lowest && values[0] <= range.Highest);
+  }
+  return isBelow && isOpaque;
+}
+
 // Fine enough for the closest pair of nodes, with an entry at every integer where there is room.
 int CountEntries(vtkVolumeProperty* property, const flatblock::ValueRange& range)
 {
@@ -59,7 +76,7 @@ int CountEntries(vtkVolumeProperty* property, const flatblock::ValueRange& range
     const int repeats = std::max(1, std::min((wanted - 2) / steps + 1, (MostEntries - 1) / steps));
     return steps * repeats + 1;
   }
-  return wanted;
+  return BecomesOpaque(property->GetScalarOpacity(), range) ? MostEntries : wanted;
 }
 
 std::vector<float> SampleColors(

@@ -38,8 +38,8 @@ private:
   std::vector<std::size_t> VisibleBefore; ///< entries [0, i) with extinction above zero
 };
 
-/// What is opaque has this extinction: a hundredth of the unit of length lets nothing through.
-constexpr double MostExtinction = 4096.0;
+/// What is opaque has this extinction: a sixteenth of the unit of length lets nothing through.
+constexpr double MostExtinction = 256.0;
 
 /// Extinction of a medium that has `opacity` over a length of `distance` units:
 /// -ln(1 - opacity) / distance, at most MostExtinction; without cancellation for small opacities.

@@ -18,7 +18,7 @@ namespace flatblock::testing
 namespace
 {
 // As vtkFlatBlockVolumeMapper has it: of what is opaque, over the smallest spacing.
-constexpr double MostExtinction = 4096.0;
+constexpr double MostExtinction = 256.0;
 
 vtkOpenGLRenderWindow* AsOpenGL(vtkRenderWindow* window)
 {
