@@ -2,6 +2,6 @@
 
 import vtkmodules.vtkRenderingOpenGL2  # its factories make the windows that the mapper draws in
 
-from .vtkFlatBlockVolumeRendering import vtkFlatBlockVolumeMapper
+from .vtkFlatBlockVolumeRendering import vtkFlatBlockRayCastMapper, vtkFlatBlockVolumeMapper
 
-__all__ = ["vtkFlatBlockVolumeMapper"]
+__all__ = ["vtkFlatBlockRayCastMapper", "vtkFlatBlockVolumeMapper"]

@@ -40,8 +40,8 @@ int EstimateEntries(Function* function, const flatblock::ValueRange& range)
                                          : std::max(estimate * EntriesPerEstimate, FewestEntries);
 }
 
-// Where opacity rises to 1 extinction rises without limit, and what lies between the last two entries
-// counts as opaque: so it has to be little.
+// Where opacity rises to 1 extinction rises without limit, and what lies between the last two
+// entries counts as opaque: so it has to be little.
 bool BecomesOpaque(vtkPiecewiseFunction* opacity, const flatblock::ValueRange& range)
 {
   bool isBelow = false;

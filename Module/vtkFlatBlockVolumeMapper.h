@@ -11,7 +11,7 @@
  * 2^l along each axis. Blocks near the point of interest are refined first, those out of view last.
  * A still picture depends on what is set, to the last bit, and not on what was drawn before.
  *
- * Input: vtkImageData, point data, one component, at least two samples along each axis. Integers of
+ * Input: vtkImageData, point data, one component, two or more samples along each axis. Integers of
  * 8 and 16 bit are kept as they are. All other types become 32-bit floats over the data's own
  * range: a value is off by at most 2^-24 of that range. Cells that have a NaN or an infinite value
  * at a corner are not drawn, all others are unharmed; a warning counts such values once.
@@ -306,15 +306,13 @@ public:
   vtkTypeInt64 GetMovedBytes() const;
   ///@}
 
+  ///@{
   /**
-   * Rays of the last frame that MaximumNumberOfSamples cut off before they were opaque or through.
+   * Of the last frame: rays that MaximumNumberOfSamples cut off; its ImageSampleDistance.
    */
   vtkTypeInt64 GetNumberOfRaysCutOff() const;
-
-  /**
-   * ImageSampleDistance of the last frame.
-   */
   double GetUsedImageSampleDistance() const;
+  ///@}
 
   ///@{
   /**

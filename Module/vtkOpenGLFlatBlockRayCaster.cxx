@@ -2,6 +2,7 @@
 
 #include "vtkOpenGLFlatBlockRayCaster.h"
 
+#include "FlatBlockRayCasterProgram.h"
 #include "RaySight.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
@@ -12,26 +13,15 @@
 #include "vtkOpenGLFlatBlockSceneDepth.h"
 #include "vtkOpenGLFlatBlockTransferTable.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-#include "FlatBlockBlocksGLSL.h"
-#include "FlatBlockPostInterpolationGLSL.h"
-#include "FlatBlockPreIntegratedGLSL.h"
-#include "FlatBlockPreInterpolationGLSL.h"
-#include "FlatBlockRayCasterFragmentGLSL.h"
-#include "FlatBlockRayCasterVertexGLSL.h"
-#include "FlatBlockRayGLSL.h"
-#include "FlatBlockTransferTableGLSL.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 vtkStandardNewMacro(vtkOpenGLFlatBlockRayCaster);
 
@@ -51,46 +41,6 @@ void GetSampleToClip(vtkRenderer* renderer, vtkMatrix4x4* sampleToWorld, vtkMatr
   vtkNew<vtkMatrix4x4> worldToClip;
   vtkMatrix4x4::Transpose(clip, worldToClip);
   vtkMatrix4x4::Multiply4x4(worldToClip, sampleToWorld, sampleToClip);
-}
-
-const char* GetClassification(flatblock::Classification method)
-{
-  switch (method)
-  {
-  case flatblock::Classification::PreIntegrated:
-    return FlatBlockPreIntegratedGLSL;
-  case flatblock::Classification::PreInterpolation:
-    return FlatBlockPreInterpolationGLSL;
-  default:
-    return FlatBlockPostInterpolationGLSL;
-  }
-}
-
-std::string GetDefines(const vtkOpenGLFlatBlockRayCaster::Scene& scene)
-{
-  std::string defines;
-  const auto define = [&defines](bool isSet, const char* name)
-  { defines += isSet ? "#define " + std::string(name) + "\n" : std::string(); };
-  define(scene.HasHoles, "FLATBLOCK_HOLES");
-  define(scene.Sampling.Jittering, "FLATBLOCK_JITTERING");
-  define(scene.Sampling.MostSamples > 0, "FLATBLOCK_SAMPLE_LIMIT");
-  define(scene.Sampling.RayStart > 0.0, "FLATBLOCK_RAY_START");
-  return defines;
-}
-
-// The window's cache of shaders compiles it once; nothing here outlives the window.
-vtkShaderProgram* ReadyProgram(
-  vtkOpenGLRenderWindow* window, const vtkOpenGLFlatBlockRayCaster::Scene& scene)
-{
-  std::string fragment = FlatBlockRayCasterFragmentGLSL;
-  vtkShaderProgram::Substitute(fragment, "//FlatBlock::Defines", GetDefines(scene));
-  vtkShaderProgram::Substitute(fragment, "//FlatBlock::Ray", FlatBlockRayGLSL);
-  vtkShaderProgram::Substitute(fragment, "//FlatBlock::Blocks", FlatBlockBlocksGLSL);
-  vtkShaderProgram::Substitute(fragment, "//FlatBlock::TransferTable", FlatBlockTransferTableGLSL);
-  vtkShaderProgram::Substitute(
-    fragment, "//FlatBlock::Classification", GetClassification(scene.Sampling.Method));
-  return window->GetShaderCache()->ReadyShaderProgram(
-    FlatBlockRayCasterVertexGLSL, fragment.c_str(), "");
 }
 
 using Row = std::array<double, 4>;
@@ -223,7 +173,8 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->SceneDepth->Capture(renderer);
-  vtkShaderProgram* program = ReadyProgram(window, scene);
+  vtkShaderProgram* program = flatblock::ReadyRayCaster(window, scene.Sampling, scene.HasHoles,
+    this->TransferTable->NeedsLongSums(scene.Sampling.Step / scene.Sampling.UnitOfLength));
   if (!program)
   {
     return false;

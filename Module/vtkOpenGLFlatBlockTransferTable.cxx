@@ -44,6 +44,14 @@ void vtkOpenGLFlatBlockTransferTable::Upload(
   this->Lowest = table.GetLowest();
   this->Highest = table.GetHighest();
   this->Entries = static_cast<int>(table.GetEntries().size());
+  this->TotalDepth = hasIntegrals ? texels[texels.size() - flatblock::TransferTexels + 1][3] : 0.0;
+}
+
+bool vtkOpenGLFlatBlockTransferTable::NeedsLongSums(double length) const
+{
+  constexpr double FloatRounding = 6e-8;
+  constexpr double LargestError = 5e-5; // of an optical depth
+  return this->TotalDepth * length * FloatRounding > LargestError;
 }
 
 bool vtkOpenGLFlatBlockTransferTable::IsUploaded(bool hasIntegrals) const

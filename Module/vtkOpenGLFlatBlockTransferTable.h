@@ -47,6 +47,12 @@ public:
   bool IsUploaded(bool hasIntegrals) const;
 
   /**
+   * Whether sums of one float are too coarse for pieces of a ray of this length, in the unit of
+   * length of the extinctions.
+   */
+  bool NeedsLongSums(double length) const;
+
+  /**
    * Texels are those of an atlas. Active until Deactivate().
    */
   void Activate(vtkShaderProgram* program, const flatblock::TexelEncoding& texels);
@@ -73,6 +79,7 @@ private:
   double Lowest = 0.0;
   double Highest = 0.0;
   int Entries = 0;
+  double TotalDepth = 0.0; // over all entries
 };
 
 #endif

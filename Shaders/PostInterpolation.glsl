@@ -1,5 +1,5 @@
 // Post-interpolative classification: values are interpolated, then classified. What is found at a
-// point stands for half of the segments that meet there.
+// point stands for half of the pieces that meet there.
 
 struct Point
 {
@@ -20,7 +20,8 @@ Point pointAt(Brick brick, vec3 position)
   return point;
 }
 
-vec4 segmentBetween(Point front, Point back, float length)
+Piece pieceBetween(Point front, Point back, float length)
 {
-  return composite(layerOf(front.matter, 0.5 * length), layerOf(back.matter, 0.5 * length));
+  return Piece(
+    composite(layerOf(front.matter, 0.5 * length), layerOf(back.matter, 0.5 * length)), 0.0);
 }

@@ -2,39 +2,62 @@
 // they run through is integrated (Roettger, Kraus and Ertl 2000), with all that it absorbs itself.
 //
 // Sums over the table from its beginning give the optical depth and the mean colour between any two
-// positions, for any length. What they don't give is the order of the colours: a piece of a segment is
-// split until that makes no difference. Only matter of notable optical depth asks for it, and such a
-// ray ends soon.
+// positions, for any length. What they don't give is the order of the colours: so a piece tells how
+// much that could matter, and is split where it is too much. Only matter of notable optical depth
+// asks for it, and such a ray ends soon.
 
 // Texels of an entry beside itself: extinction and colour times extinction, summed up to it, as a sum
-// of two floats; then sums of how the slopes of colour and extinction change, and of how the colour
-// changes, and the first interval from there on that is not transparent.
+// of two floats; and how colour and extinction vary.
 const int Sum = 1;
 const int RestOfSum = 2;
 const int Variation = 3;
 
-const float Tolerance = 9e-5; // of a piece, as a share of its opacity
+const float Tolerance = 1.2e-4; // of a piece, as a share of its opacity
+const float Tiny = 1e-30;     // so that nothing is divided by 0
 
 struct Point
 {
   float position;
-  float interval;
-  vec4 low; // entries at the interval's ends
-  vec4 high;
+  float interval; // of the table, by its first entry
   vec4 matter;
+  vec4 before; // integrals over the parts of the interval before the position, and behind it
+  vec4 behind;
+  vec4 sum;
+#ifdef FLATBLOCK_LONG_SUMS
+  vec4 rest;
+#endif
+  vec4 variation; // slopes of colour, of extinction, colour: changes up to here, the last one also
+                  // without that of the interval
 #ifdef FLATBLOCK_HOLES
   bool isHole;
 #endif
 };
 
+// Colour times extinction, and extinction, integrated over matter that varies linearly.
+vec4 linearIntegral(vec4 begin, vec4 end, float length)
+{
+  vec3 color = begin.rgb * (2.0 * begin.a + end.a) + end.rgb * (begin.a + 2.0 * end.a);
+  return length * vec4(color / 6.0, 0.5 * (begin.a + end.a));
+}
+
 Point pointAtPosition(float position)
 {
+  float interval = intervalOf(position);
+  int texel = int(interval) * in_TexelsPerEntry;
+  vec4 low = texelFetch(in_TransferTable, texel);
+  vec4 high = texelFetch(in_TransferTable, texel + in_TexelsPerEntry);
+  float share = position - interval;
   Point point;
   point.position = position;
-  point.interval = intervalOf(position);
-  point.low = entryOfTable(int(point.interval));
-  point.high = entryOfTable(int(point.interval) + 1);
-  point.matter = mix(point.low, point.high, position - point.interval);
+  point.interval = interval;
+  point.matter = mix(low, high, share);
+  point.before = linearIntegral(low, point.matter, share);
+  point.behind = linearIntegral(point.matter, high, 1.0 - share);
+  point.sum = texelFetch(in_TransferTable, texel + Sum);
+#ifdef FLATBLOCK_LONG_SUMS
+  point.rest = texelFetch(in_TransferTable, texel + RestOfSum);
+#endif
+  point.variation = texelFetch(in_TransferTable, texel + Variation);
 #ifdef FLATBLOCK_HOLES
   point.isHole = false;
 #endif
@@ -51,13 +74,6 @@ Point pointAt(Brick brick, vec3 position)
   return point;
 }
 
-// Colour times extinction, and extinction, integrated over matter that varies linearly.
-vec4 linearIntegral(vec4 begin, vec4 end, float length)
-{
-  vec3 color = begin.rgb * (2.0 * begin.a + end.a) + end.rgb * (begin.a + 2.0 * end.a);
-  return length * vec4(color / 6.0, 0.5 * (begin.a + end.a));
-}
-
 float largest(vec3 v)
 {
   return max(v.r, max(v.g, v.b));
@@ -69,123 +85,65 @@ float skewOfDepth(float depth, float opacity)
 {
   return depth < 0.3
     ? depth * depth * (1.0 / 12.0 - depth * (1.0 / 24.0 - depth * (1.0 / 80.0 - depth / 360.0)))
-    : 0.5 * opacity + (1.0 - opacity) - opacity / depth;
+    : 1.0 - 0.5 * opacity - opacity / depth;
 }
 
-struct Piece
+// Integral over the table between two positions in different intervals, low before high.
+vec4 integralBetween(Point low, Point high)
 {
-  vec4 color;  // multiplied by opacity, and opacity
-  float error; // as a share of the opacity, at most, in multiples of the tolerance
-};
-
-vec4 tableTexel(float entry, int texel)
-{
-  return texelFetch(in_TransferTable, int(entry) * in_TexelsPerEntry + texel);
-}
-
-// Integral between two positions in different intervals, counted in entries. Everything is added: what
-// is small beside other parts of the table keeps its digits.
-vec4 integralBetween(Point lower, Point upper)
-{
-  vec4 sum = linearIntegral(lower.matter, lower.high, lower.interval + 1.0 - lower.position) +
-    linearIntegral(upper.low, upper.matter, upper.position - upper.interval);
-  float first = lower.interval + 1.0;
-  if (upper.interval > first)
+  vec4 integral = low.behind + high.before;
+  if (high.interval > low.interval + 1.0)
   {
-    sum += (tableTexel(upper.interval, Sum) - tableTexel(first, Sum)) +
-      (tableTexel(upper.interval, RestOfSum) - tableTexel(first, RestOfSum));
+#ifdef FLATBLOCK_LONG_SUMS
+    // From the next entry: what is small beside the interval keeps its digits.
+    int texel = (int(low.interval) + 1) * in_TexelsPerEntry;
+    integral += (high.sum - texelFetch(in_TransferTable, texel + Sum)) +
+      (high.rest - texelFetch(in_TransferTable, texel + RestOfSum));
+#else
+    integral += high.sum - low.sum - (low.before + low.behind);
+#endif
   }
-  return sum;
+  return integral;
 }
 
 // How far the colour may be from one that varies linearly with optical depth where extinction does.
-float unevennessBetween(Point lower, Point upper, float last, float changed, float extinction)
+float unevennessBetween(Point low, Point high, float changed, float extinction)
 {
-  vec3 variation =
-    tableTexel(last, Variation).xyz - tableTexel(lower.interval, Variation).xyz;
-  float total = variation.z + largest(abs(lower.high.rgb - lower.low.rgb));
-  float bend = variation.x + changed * variation.y / extinction;
-  return min(total, 0.25 * (upper.position - lower.position) * bend);
+  float total =
+    (high.position > high.interval ? high.variation.z : high.variation.w) - low.variation.w;
+  float bend =
+    (high.variation.x - low.variation.x) + changed * (high.variation.y - low.variation.y) / extinction;
+  return min(total, 0.25 * (high.position - low.position) * bend);
 }
 
-Piece pieceBetween(Point front, Point back, float length, float lengthPerEntry)
+Piece pieceBetween(Point front, Point back, float length)
 {
-  bool isRising = front.position <= back.position;
-  Point lower = front;
-  Point upper = back;
-  if (!isRising)
+  bool isWithin = front.interval == back.interval;
+  bool isRising = front.position < back.position;
+  float lengthPerEntry = length / max(abs(back.position - front.position), Tiny);
+  vec4 integral = linearIntegral(front.matter, back.matter, length);
+  if (!isWithin)
   {
-    lower = back;
-    upper = front;
+    integral = lengthPerEntry *
+      (isRising ? integralBetween(front, back) : integralBetween(back, front));
   }
-  // Of the upper point's interval there is nothing where it lies at its beginning.
-  float last = upper.position > upper.interval ? upper.interval : upper.interval - 1.0;
-  bool isWithin = last <= lower.interval;
-  vec4 integral = isWithin ? linearIntegral(front.matter, back.matter, length)
-                           : lengthPerEntry * integralBetween(lower, upper);
-  float depth = integral.a;
-  if (depth <= 0.0)
-  {
-    return Piece(vec4(0.0), 0.0);
-  }
+  float depth = max(integral.a, Tiny);
+  float opacity = opacityOfDepth(depth);
   vec3 change = front.matter.rgb - back.matter.rgb;
   float changed = largest(abs(change));
-  float slope = (back.matter.a - front.matter.a) / max(front.matter.a + back.matter.a, 1e-30);
-  float opacity = opacityOfDepth(depth);
-  float skew = skewOfDepth(depth, opacity) * (1.0 - 0.2 * slope * slope);
+  float slope = (back.matter.a - front.matter.a) / max(front.matter.a + back.matter.a, Tiny);
   Piece piece;
-  piece.color = vec4(integral.rgb * (opacity / depth) + change * skew, opacity);
-  piece.error = min(depth * depth / 360.0, 0.34) * changed * abs(slope) / Tolerance;
-  if (!isWithin && 0.25 * depth > Tolerance)
+  piece.color.rgb = integral.rgb * (opacity / depth) +
+    change * (skewOfDepth(depth, opacity) * (1.0 - 0.2 * slope * slope));
+  piece.color.a = opacity;
+  piece.error = min(depth * depth / 360.0, 0.34) * changed * abs(slope);
+  if (!isWithin)
   {
-    piece.error += min(0.25 * depth, 1.0) / Tolerance *
-      unevennessBetween(lower, upper, last, changed,
-        depth / max(length, 1e-30) );
+    float extinction = max(depth / max(length, Tiny), Tiny);
+    piece.error += min(0.25 * depth, 1.0) *
+      (isRising ? unevennessBetween(front, back, changed, extinction)
+                : unevennessBetween(back, front, changed, extinction));
   }
+  piece.error /= Tolerance;
   return piece;
-}
-
-// Where a piece that is not even enough ends instead: within an interval, or at the end of one.
-float shortened(Point front, float end, float error)
-{
-  float share = clamp(0.9 * inversesqrt(error), 0.05, 0.5);
-  float position = mix(front.position, end, share);
-  bool isRising = front.position < end;
-  float border = front.interval + (isRising ? 1.0 : 0.0);
-  bool isWithin = isRising ? position <= border : position >= border;
-  bool borderIsAhead = isRising ? border > front.position && border < end
-                                : border < front.position && border > end;
-  return isWithin && borderIsAhead ? border : position;
-}
-
-vec4 segmentBetween(Point front, Point back, float length)
-{
-  const int MostPieces = 16384;
-  const float Enough = 1.0 - 1e-5;
-  float lengthPerEntry =
-    front.position == back.position ? 0.0 : length / abs(back.position - front.position);
-  vec4 sum = vec4(0.0);
-  Point end = back;
-  float pieceLength = length;
-  for (int i = 0; i < MostPieces && sum.a < Enough; ++i)
-  {
-    Piece piece = pieceBetween(front, end, pieceLength, lengthPerEntry);
-    float position = piece.error > 1.0 ? shortened(front, end.position, piece.error) : end.position;
-    if (position != end.position && position != front.position)
-    {
-      end = pointAtPosition(position);
-    }
-    else
-    {
-      sum = composite(sum, piece.color);
-      if (end.position == back.position)
-      {
-        break;
-      }
-      front = end;
-      end = back;
-    }
-    pieceLength = lengthPerEntry * abs(end.position - front.position);
-  }
-  return sum;
 }

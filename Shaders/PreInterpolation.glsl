@@ -1,6 +1,6 @@
 // Pre-interpolative classification: the samples at the corners of a cell are classified, then their
 // colours, weighted by extinction, and their extinctions are interpolated (Wittenbrink, Malzbender and
-// Goss 1998). What is found at a point stands for half of the segments that meet there.
+// Goss 1998). What is found at a point stands for half of the pieces that meet there.
 
 struct Point
 {
@@ -35,7 +35,8 @@ Point pointAt(Brick brick, vec3 position)
   return point;
 }
 
-vec4 segmentBetween(Point front, Point back, float length)
+Piece pieceBetween(Point front, Point back, float length)
 {
-  return composite(layerOf(front.matter, 0.5 * length), layerOf(back.matter, 0.5 * length));
+  return Piece(
+    composite(layerOf(front.matter, 0.5 * length), layerOf(back.matter, 0.5 * length)), 0.0);
 }

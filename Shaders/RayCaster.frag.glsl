@@ -22,6 +22,7 @@ struct Gathered
   vec4 color;  // multiplied by opacity, and opacity
   Point front; // where the ray has been gathered up to
   float at;    // its distance
+  float next;  // distance of the next point of the lattice
 #ifdef FLATBLOCK_SAMPLE_LIMIT
   int samples;
   bool isCutOff;
@@ -50,36 +51,59 @@ bool isAtEnd(Gathered gathered)
   return gathered.color.a >= in_EnoughOpacity;
 }
 
-// Adds the segment up to a point. Where one of its ends lies in a hole, the other one's half is drawn.
-void gather(inout Gathered gathered, Point back, float at, float unit)
+// Where one end of a piece lies in a hole, the other one's half is drawn.
+Piece pieceWithoutHoles(Point front, Point back, float length)
 {
-#ifdef FLATBLOCK_SAMPLE_LIMIT
-  gathered.isCutOff = ++gathered.samples > in_MaximumNumberOfSamples;
-  if (gathered.isCutOff)
-  {
-    return;
-  }
-#endif
-  Point front = gathered.front;
-  float length = max(at - gathered.at, 0.0) * unit * in_StepLength;
-  gathered.front = back;
-  gathered.at = at;
 #ifdef FLATBLOCK_HOLES
   if (front.isHole && back.isHole)
   {
-    return;
+    return Piece(vec4(0.0), 0.0);
   }
-  if (front.isHole || back.isHole)
+  if (front.isHole)
   {
-    length *= 0.5;
-    if (front.isHole)
-    {
-      front = back;
-    }
-    back = front;
+    return pieceBetween(back, back, 0.5 * length);
+  }
+  if (back.isHole)
+  {
+    return pieceBetween(front, front, 0.5 * length);
   }
 #endif
-  gathered.color = composite(gathered.color, segmentBetween(front, back, length));
+  return pieceBetween(front, back, length);
+}
+
+// Gathers what lies in a brick, up to where the ray leaves it: up to the last point before, or also
+// the border where the ray comes to its end there. A piece whose error is too large is split.
+void gather(inout Gathered gathered, Ray ray, vec3 origin, Brick brick, float exit, bool endsThere)
+{
+  const float LeastPart = 1.0 / 1024.0;
+  float target = exit;
+  while (!isAtEnd(gathered) && (gathered.next < exit || (endsThere && gathered.at < exit)))
+  {
+#ifdef FLATBLOCK_SAMPLE_LIMIT
+    gathered.isCutOff = ++gathered.samples > in_MaximumNumberOfSamples;
+    if (gathered.isCutOff)
+    {
+      break;
+    }
+#endif
+    target = min(target, min(gathered.next, exit));
+    Point back = pointAt(brick, origin + target * ray.direction);
+    float advance = target - gathered.at;
+    Piece piece =
+      pieceWithoutHoles(gathered.front, back, max(advance, 0.0) * ray.unit * in_StepLength);
+    if (piece.error > 1.0 && advance > LeastPart)
+    {
+      target = gathered.at + smallerPart(piece.error) * advance;
+    }
+    else
+    {
+      gathered.color = composite(gathered.color, piece.color);
+      gathered.front = back;
+      gathered.at = target;
+      gathered.next += target >= gathered.next ? brick.step : 0.0;
+      target = exit;
+    }
+  }
 }
 
 // Points lie on a lattice of steps that begins where the ray begins, whatever blocks they fall into;
@@ -92,6 +116,7 @@ Gathered march(Ray ray)
   float end = ray.end - ray.begin + phase;
   BlockWalk walk = enterBlocks(ray);
   Brick brick = fetchBrick(walk.block);
+  bool wasResident = false;
 
   Gathered gathered;
   gathered.color = vec4(0.0);
@@ -100,51 +125,42 @@ Gathered march(Ray ray)
   gathered.samples = 1;
   gathered.isCutOff = false;
 #endif
-  if (brick.resident)
+  float entry = phase;
+  float lastStep = brick.step;
+  while (!isAtEnd(gathered))
   {
-    gathered.front = pointAt(brick, origin + phase * ray.direction);
-  }
-  float next = brick.step;
-  while (true)
-  {
-    float exit = min(distanceToBorder(walk) - ray.begin + phase, end);
     if (brick.resident)
     {
-      for (; next < exit && !isAtEnd(gathered); next += brick.step)
+      if (!wasResident)
       {
-        gather(gathered, pointAt(brick, origin + next * ray.direction), next, ray.unit);
+        gathered.front = pointAt(brick, origin + entry * ray.direction);
+        gathered.at = entry;
+        lastStep = brick.step;
       }
+      float step = min(brick.step, lastStep);
+      gathered.next = ceil(entry / step) * step;
+      gathered.next += gathered.next > gathered.at ? 0.0 : step;
     }
+    float exit = min(distanceToBorder(walk) - ray.begin + phase, end);
     Brick beyond = brick;
     beyond.resident = false;
-    if (exit < end && crossBorder(walk))
+    bool goesOn = exit < end && crossBorder(walk);
+    if (goesOn)
     {
       beyond = fetchBrick(walk.block);
     }
-    else
+    if (brick.resident)
     {
-      end = exit;
+      gather(gathered, ray, origin, brick, exit, !beyond.resident);
     }
-    if (brick.resident && !beyond.resident && !isAtEnd(gathered))
+    if (!goesOn)
     {
-      gather(gathered, pointAt(brick, origin + exit * ray.direction), exit, ray.unit);
+      break;
     }
-    if (exit >= end || isAtEnd(gathered))
-    {
-      return gathered;
-    }
-    if (beyond.resident)
-    {
-      float step = brick.resident ? min(brick.step, beyond.step) : beyond.step;
-      if (!brick.resident)
-      {
-        gathered.front = pointAt(beyond, origin + exit * ray.direction);
-        gathered.at = exit;
-      }
-      next = ceil(exit / step) * step;
-      next += next > gathered.at ? 0.0 : step;
-    }
+    wasResident = brick.resident;
+    lastStep = brick.step;
     brick = beyond;
+    entry = exit;
   }
   return gathered;
 }

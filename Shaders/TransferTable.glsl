@@ -49,6 +49,19 @@ vec4 composite(vec4 front, vec4 back)
   return front + (1.0 - front.a) * back;
 }
 
+// A piece of a ray between two points.
+struct Piece
+{
+  vec4 color;  // multiplied by opacity, and opacity
+  float error; // at most, as a share of the opacity, in multiples of what is tolerated
+};
+
+// The part of a piece that is tried next where its error is too large.
+float smallerPart(float error)
+{
+  return clamp(0.9 * inversesqrt(error), 0.05, 0.5);
+}
+
 // Cells of which a corner is not finite are holes; their texels lie far beyond 1, and so does
 // whatever is interpolated from them.
 bool isHole(float texel)

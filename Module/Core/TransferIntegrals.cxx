@@ -74,24 +74,15 @@ void WriteVariations(const std::vector<Entry>& entries, Entry* texels)
       colorBends += GetLargestOfColor(bend);
       extinctionBends += std::abs(bend[3]);
     }
+    const double changesBefore = colorChanges;
     colorChanges += GetLargestOfColor(slope);
     before = slope;
     texels[i * TransferTexels + 3] = { static_cast<float>(colorBends),
-      static_cast<float>(extinctionBends), static_cast<float>(colorChanges), 0.0F };
+      static_cast<float>(extinctionBends), static_cast<float>(colorChanges),
+      static_cast<float>(changesBefore) };
   }
 }
 
-void WriteVisible(const std::vector<Entry>& entries, Entry* texels)
-{
-  auto next = static_cast<float>(entries.size());
-  for (std::size_t i = entries.size(); i-- > 0;)
-  {
-    const bool isVisible =
-      entries[i][3] > 0.0F || (i + 1 < entries.size() && entries[i + 1][3] > 0.0F);
-    next = isVisible ? static_cast<float>(i) : next;
-    texels[i * TransferTexels + 3][3] = next;
-  }
-}
 } // namespace
 
 std::vector<TransferTable::Entry> IntegrateTransferTable(const TransferTable& table)
@@ -104,7 +95,6 @@ std::vector<TransferTable::Entry> IntegrateTransferTable(const TransferTable& ta
   }
   WriteSums(entries, texels.data());
   WriteVariations(entries, texels.data());
-  WriteVisible(entries, texels.data());
   return texels;
 }
 } // namespace flatblock

@@ -15,8 +15,7 @@ namespace flatblock
 ///   digits behind what is large
 /// - sums of by how much the slopes of the colour (of the channel that changes most) and of the
 ///   extinction change at the entries up to here; sum of by how much the colour changes in the
-///   intervals up to the one that begins here; and the first interval from here on that has
-///   extinction
+///   intervals up to the one that begins here, with it and without it
 constexpr int TransferTexels = 4;
 
 /// Writes the texels, entry by entry. O(entries).

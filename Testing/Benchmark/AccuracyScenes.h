@@ -112,17 +112,17 @@ inline std::unique_ptr<Subject> MakeFog()
     testing::MakeVolume({ Side, Side, Side }, VTK_UNSIGNED_SHORT, WavesAt));
   subject->Shown.SetOpacity({ { 0.0, 0.02 }, { 4000.0, 0.3 } });
   subject->Shown.SetColor(
-    { { 500.0, 0.1, 0.2, 0.9 }, { 2000.0, 0.9, 0.8, 0.2 }, { 3500.0, 0.9, 0.1, 0.2 } });
+    { { 0.0, 0.1, 0.2, 0.9 }, { 2000.0, 0.9, 0.8, 0.2 }, { 4000.0, 0.9, 0.1, 0.2 } });
   return subject;
 }
 
 inline std::unique_ptr<Subject> MakeOpaque()
 {
   auto subject = MakeSubject("opaque surface",
-    "the same sinusoids; opacity is 0 up to 2200 and 1 from 2201 on, and the colour changes behind "
+    "the same sinusoids; opacity rises from 0 at 2200 to 1 at 2220, and the colour changes behind "
     "the surface",
     testing::MakeVolume({ Side, Side, Side }, VTK_UNSIGNED_SHORT, WavesAt));
-  subject->Shown.SetOpacity({ { 2200.0, 0.0 }, { 2201.0, 1.0 } });
+  subject->Shown.SetOpacity({ { 2200.0, 0.0 }, { 2220.0, 1.0 } });
   subject->Shown.SetColor(
     { { 2200.0, 0.9, 0.8, 0.6 }, { 2600.0, 0.7, 0.2, 0.1 }, { 3600.0, 0.1, 0.3, 0.8 } });
   return subject;

@@ -28,7 +28,7 @@ void ShowThinShell(Scene& scene, double voxelsAStep)
 double ErrorOf(Scene& scene, int classification)
 {
   scene.Mapper->SetClassification(classification);
-  constexpr int Stride = 8;
+  constexpr int Stride = 12;
   const Picture drawn = TakeEvery(DrawFloats(scene), scene.Window->GetSize()[0], Stride);
   EXPECT_TRUE(IsSound(drawn));
   return RootMeanSquare(drawn, DrawReference(scene, Stride));

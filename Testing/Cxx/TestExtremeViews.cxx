@@ -82,15 +82,15 @@ TEST(ExtremeViews, RaysInEdgesAndFacesOfTheVolume)
     {
       LookParallel(scene, ends);
       scene.Renderer->GetActiveCamera()->SetParallelProjection(parallel);
-      const Picture drawn = DrawFloats(scene);
-      const Picture expected = DrawReference(scene);
+      const Picture drawn = TakeEvery(DrawFloats(scene), 65, 4);
+      const Picture expected = DrawReference(scene, 4);
       EXPECT_TRUE(IsSound(drawn));
       int missed = 0;
       double largest = 0.0;
       for (std::size_t i = 0; i < drawn.size(); ++i)
       {
         const double error = std::abs(drawn[i][3] - expected[i][3]);
-        const bool isInFace = i % 65 == 32 || i / 65 == 32;
+        const bool isInFace = i % 17 == 8 || i / 17 == 8;
         missed += isInFace && error > Bound ? 1 : 0;
         largest = std::max(largest, isInFace ? 0.0 : error);
       }

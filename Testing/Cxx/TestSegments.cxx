@@ -273,8 +273,8 @@ std::vector<std::pair<std::string, TransferTable>> MakeTables()
 
 TEST(Segments, EqualQuadratureBetweenAllValues)
 {
-  const auto fronts = SpreadPositions(48, Entries, 1);
-  const auto backs = SpreadPositions(48, Entries, 2);
+  const auto fronts = SpreadPositions(36, Entries, 1);
+  const auto backs = SpreadPositions(36, Entries, 2);
   for (const auto& [name, table] : MakeTables())
   {
     const double error = CompareAll(table, fronts, backs, Lengths);
@@ -290,7 +290,7 @@ TEST(Segments, CloseValuesDoNotCancel)
   std::vector<float> backs;
   std::mt19937 random(3);
   std::uniform_real_distribution<float> anywhere(1.0F, Entries - 2.0F);
-  for (int i = 0; i < 48; ++i)
+  for (int i = 0; i < 40; ++i)
   {
     const float front = i % 3 == 0 ? std::floor(anywhere(random)) : anywhere(random);
     fronts.push_back(front);

@@ -73,6 +73,11 @@ class MapperTest(unittest.TestCase):
         mapper.SetBlockSize(17)
         self.assertEqual(mapper.GetBlockSize(), 17)
         self.assertEqual(mapper.GetSampleDistance(), 0.0)
+        self.assertTrue(mapper.GetAutoAdjustSampleDistances())
+        self.assertEqual(mapper.GetClassification(), mapper.PRE_INTEGRATED)
+        mapper.SetClassificationToPreInterpolation()
+        self.assertEqual(mapper.GetClassification(), mapper.PRE_INTERPOLATION)
+        self.assertIn("thin shells stay whole", mapper.SetClassification.__doc__)
         self.assertIn("Samples along a block's side", vtkFlatBlockVolumeMapper.SetBlockSize.__doc__)
 
     def test_picture(self):

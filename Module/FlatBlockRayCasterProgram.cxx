@@ -1,0 +1,63 @@
+#include "FlatBlockRayCasterProgram.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+
+#include "FlatBlockBlocksGLSL.h"
+#include "FlatBlockPostInterpolationGLSL.h"
+#include "FlatBlockPreIntegratedGLSL.h"
+#include "FlatBlockPreInterpolationGLSL.h"
+#include "FlatBlockRayCasterFragmentGLSL.h"
+#include "FlatBlockRayCasterVertexGLSL.h"
+#include "FlatBlockRayGLSL.h"
+#include "FlatBlockTransferTableGLSL.h"
+
+#include <string>
+
+namespace flatblock
+{
+namespace
+{
+const char* GetClassification(Classification method)
+{
+  switch (method)
+  {
+  case Classification::PreIntegrated:
+    return FlatBlockPreIntegratedGLSL;
+  case Classification::PreInterpolation:
+    return FlatBlockPreInterpolationGLSL;
+  default:
+    return FlatBlockPostInterpolationGLSL;
+  }
+}
+
+std::string GetDefines(const RaySampling& sampling, bool hasHoles, bool hasLongSums)
+{
+  std::string defines;
+  const auto define = [&defines](bool isSet, const char* name)
+  { defines += isSet ? "#define " + std::string(name) + "\n" : std::string(); };
+  define(hasHoles, "FLATBLOCK_HOLES");
+  define(hasLongSums, "FLATBLOCK_LONG_SUMS");
+  define(sampling.Jittering, "FLATBLOCK_JITTERING");
+  define(sampling.MostSamples > 0, "FLATBLOCK_SAMPLE_LIMIT");
+  define(sampling.RayStart > 0.0, "FLATBLOCK_RAY_START");
+  return defines;
+}
+} // namespace
+
+vtkShaderProgram* ReadyRayCaster(
+  vtkOpenGLRenderWindow* window, const RaySampling& sampling, bool hasHoles, bool hasLongSums)
+{
+  std::string fragment = FlatBlockRayCasterFragmentGLSL;
+  const auto insert = [&fragment](const char* place, const std::string& source)
+  { vtkShaderProgram::Substitute(fragment, place, source); };
+  insert("//FlatBlock::Defines", GetDefines(sampling, hasHoles, hasLongSums));
+  insert("//FlatBlock::Ray", FlatBlockRayGLSL);
+  insert("//FlatBlock::Blocks", FlatBlockBlocksGLSL);
+  insert("//FlatBlock::TransferTable", FlatBlockTransferTableGLSL);
+  insert("//FlatBlock::Classification", GetClassification(sampling.Method));
+  return window->GetShaderCache()->ReadyShaderProgram(
+    FlatBlockRayCasterVertexGLSL, fragment.c_str(), "");
+}
+} // namespace flatblock
