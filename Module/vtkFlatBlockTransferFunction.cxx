@@ -79,6 +79,29 @@ int CountEntries(vtkVolumeProperty* property, const flatblock::ValueRange& range
   return BecomesOpaque(property->GetScalarOpacity(), range) ? MostEntries : wanted;
 }
 
+// vtkColorTransferFunction::GetTable() leaves the entry that falls on the first node black where
+// there are entries before it; GetColor() does not.
+void RepairFirstNode(vtkColorTransferFunction* function, const flatblock::ValueRange& range,
+  int count, std::vector<float>& colors)
+{
+  double node[6];
+  const double span = range.Highest - range.Lowest;
+  if (function->GetNodeValue(0, node) < 0 || !(span > 0.0))
+  {
+    return;
+  }
+  const double entry = (node[0] - range.Lowest) / span * (count - 1);
+  for (const double i : { std::floor(entry), std::ceil(entry) })
+  {
+    if (i >= 0.0 && i < count)
+    {
+      double color[3];
+      function->GetColor(range.Lowest + i * span / (count - 1), color);
+      std::copy_n(color, 3, colors.begin() + 3 * static_cast<std::ptrdiff_t>(i));
+    }
+  }
+}
+
 std::vector<float> SampleColors(
   vtkVolumeProperty* property, const flatblock::ValueRange& range, int count)
 {
@@ -94,7 +117,9 @@ std::vector<float> SampleColors(
   }
   else
   {
-    property->GetRGBTransferFunction()->GetTable(range.Lowest, range.Highest, count, colors.data());
+    vtkColorTransferFunction* function = property->GetRGBTransferFunction();
+    function->GetTable(range.Lowest, range.Highest, count, colors.data());
+    RepairFirstNode(function, range, count, colors);
   }
   return colors;
 }

@@ -1,5 +1,5 @@
 // Classification: opacity correction, editing, tables.
-#include "Rendering.h"
+#include "FloatPicture.h"
 #include "Volumes.h"
 
 #include "vtkColorTransferFunction.h"
@@ -153,6 +153,29 @@ TEST(TransferFunction, GrayFunctionsEqualColorsOfEqualChannels)
   gray->AddPoint(128.0, 1.0);
   scene.Property->SetColor(gray);
   EXPECT_LE(LargestDifference(colored, scene.Draw()), 1.0);
+}
+
+// What vtkColorTransferFunction::GetTable() gives for its first node is black.
+TEST(TransferFunction, TheFirstNodeHasItsColor)
+{
+  for (int type : { VTK_UNSIGNED_CHAR, VTK_FLOAT })
+  {
+    Scene scene;
+    scene.SetVolume(
+      MakeVolume({ 20, 20, 20 }, type, [](int x, int, int) { return x < 12 ? 50.0 : 10.0; }), 0.5);
+    scene.SetOpacity({ { 0.0, 0.0 }, { 49.0, 0.0 }, { 50.0, 0.9 }, { 60.0, 0.9 } });
+    scene.SetColor({ { 50.0, 0.8, 0.4, 0.2 }, { 200.0, 0.1, 0.1, 0.9 } });
+    scene.LookFrom(180.0, 0.0);
+    for (int classification = 0; classification < 3; ++classification)
+    {
+      scene.Mapper->SetClassification(classification);
+      const auto pixel = DrawFloats(scene)[128 * 256 + 150];
+      EXPECT_GE(pixel[3], 0.99);
+      EXPECT_NEAR(pixel[0] / pixel[3], 0.8, 0.01);
+      EXPECT_NEAR(pixel[1] / pixel[3], 0.4, 0.01);
+      EXPECT_NEAR(pixel[2] / pixel[3], 0.2, 0.01);
+    }
+  }
 }
 
 // A layer of less than one value: the extinction -ln(1 - opacity), integrated along x.

@@ -58,7 +58,12 @@ ReferenceTable SampleProperty(
   }
   std::vector<double> colors(3 * entries);
   std::vector<double> opacities(entries);
-  property->GetRGBTransferFunction()->GetTable(range[0], range[1], entries, colors.data());
+  // Not by GetTable(), which leaves an entry that falls on the first node black.
+  for (int i = 0; i < entries; ++i)
+  {
+    property->GetRGBTransferFunction()->GetColor(
+      range[0] + i * span / (entries - 1), colors.data() + 3 * static_cast<std::size_t>(i));
+  }
   property->GetScalarOpacity()->GetTable(range[0], range[1], entries, opacities.data());
   ReferenceTable table;
   table.Lowest = range[0];
