@@ -9,8 +9,8 @@
 
 namespace flatblock
 {
-/// Stands for samples that are not finite: so much larger than 1 that whatever is interpolated from it
-/// is, too, whatever its weight, and still finite.
+/// Stands for samples that are not finite: so much larger than 1 that whatever is interpolated from
+/// it is, too, whatever its weight, and still finite.
 constexpr float HoleTexel = 0x1p100F;
 
 /// The texel of a value, an unsigned integer or a float in [0, 1], so that

@@ -31,8 +31,8 @@ public:
   ///@{
   /**
    * How samples become colours. PreIntegrated (default): between two samples of a ray values are
-   * taken as linear, and colour and opacity of all that they run through are integrated, to 1e-4 of
-   * a segment, for any step and any opacity: thin shells stay whole. PostInterpolation: values are
+   * taken as linear, and colour and opacity of all that they run through are integrated, to 1e-4,
+   * for any step and any opacity: thin shells stay whole. PostInterpolation: values are
    * interpolated, then classified, as in vtkGPUVolumeRayCastMapper; what lies between two samples
    * is missed. PreInterpolation: samples of the data are classified, then their colours
    * interpolated; slow, and blurred. With nearest interpolation there is nothing between two

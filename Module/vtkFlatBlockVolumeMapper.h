@@ -204,17 +204,14 @@ public:
   vtkGetMacro(DistortionBlocksPerFrame, int);
   ///@}
 
-  /**
-   * Whether no visible block waits for its distortion: so also where it is not asked for.
-   */
-  bool GetDistortionComplete() const;
-
   ///@{
   /**
-   * Sum of e(b, l) over all visible blocks at the levels of the last frame, and its mean over those
-   * that are not at their finest level. Computes what is missing, whatever the criterion; 0 before
-   * the first frame.
+   * Whether no visible block waits for its distortion: so also where it is not asked for. Sum of
+   * e(b, l) over all visible blocks at the levels of the last frame, and its mean over those that
+   * are not at their finest level: computes what is missing, whatever the criterion; 0 before the
+   * first frame.
    */
+  bool GetDistortionComplete() const;
   double GetTotalDistortion();
   double GetMeanDistortionOfUnrefinedBlocks();
   ///@}

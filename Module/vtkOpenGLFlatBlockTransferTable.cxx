@@ -25,8 +25,8 @@ vtkOpenGLFlatBlockTransferTable::~vtkOpenGLFlatBlockTransferTable() = default;
 vtkTypeInt64 vtkOpenGLFlatBlockTransferTable::GetBytes(
   const flatblock::TransferTable& table, bool hasIntegrals)
 {
-  return static_cast<vtkTypeInt64>(GetTexelsPerEntry(hasIntegrals) * table.GetEntries().size() *
-                                   sizeof(flatblock::TransferTable::Entry));
+  const auto texels = GetTexelsPerEntry(hasIntegrals) * table.GetEntries().size();
+  return static_cast<vtkTypeInt64>(texels * sizeof(flatblock::TransferTable::Entry));
 }
 
 void vtkOpenGLFlatBlockTransferTable::Upload(
