@@ -25,8 +25,9 @@ vtkOpenGLFlatBlockTransferTable::~vtkOpenGLFlatBlockTransferTable() = default;
 vtkTypeInt64 vtkOpenGLFlatBlockTransferTable::GetBytes(
   const flatblock::TransferTable& table, bool hasIntegrals)
 {
-  const auto texels = GetTexelsPerEntry(hasIntegrals) * table.GetEntries().size();
-  return static_cast<vtkTypeInt64>(texels * sizeof(flatblock::TransferTable::Entry));
+  const auto entries = static_cast<vtkTypeInt64>(table.GetEntries().size());
+  const auto bytesPerTexel = static_cast<vtkTypeInt64>(sizeof(flatblock::TransferTable::Entry));
+  return entries * GetTexelsPerEntry(hasIntegrals) * bytesPerTexel;
 }
 
 void vtkOpenGLFlatBlockTransferTable::Upload(
