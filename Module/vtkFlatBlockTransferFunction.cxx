@@ -86,10 +86,11 @@ void RepairFirstNode(vtkColorTransferFunction* function, const flatblock::ValueR
 {
   double node[6];
   const double span = range.Highest - range.Lowest;
-  if (function->GetNodeValue(0, node) < 0 || !(span > 0.0))
+  if (function->GetSize() == 0 || !(span > 0.0))
   {
     return;
   }
+  function->GetNodeValue(0, node);
   const double entry = (node[0] - range.Lowest) / span * (count - 1);
   for (const double i : { std::floor(entry), std::ceil(entry) })
   {
