@@ -36,7 +36,7 @@ TEST(ExtremeSpacing, OfEverySize)
     Scene scene;
     ShowWaves(scene, { 17, 18, 19 });
     SetSpacing(scene, spacing, spacing, spacing);
-    ExpectRight(scene, Group, "spacing " + std::to_string(spacing), Bound);
+    ExpectRight(scene, Group, "spacing " + ToText(spacing), Bound);
   }
 }
 
@@ -54,7 +54,7 @@ TEST(ExtremeSpacing, RatiosOfEverySize)
       SetSpacing(scene, spacing[0], spacing[1], spacing[2]);
       scene.Property->SetScalarOpacityUnitDistance(axis == 0 ? 1.0 : ratio);
       scene.LookFrom(33.0, 21.0, ratio > 100.0 ? 0.05 * ratio : 1.2);
-      ExpectRight(scene, Group, "spacing 1 : " + std::to_string(int(ratio)), Bound);
+      ExpectRight(scene, Group, "spacing 1 : " + ToText(ratio), Bound);
     }
   }
 }
@@ -81,7 +81,7 @@ TEST(ExtremeSpacing, OriginsFarAway)
     ShowWaves(scene, { 17, 18, 19 });
     GetImage(scene)->SetOrigin(origin, -2.0 * origin, origin);
     scene.LookFrom(33.0, 21.0, 1.2);
-    ExpectRight(scene, Group, "origin at " + std::to_string(int(origin)), Bound);
+    ExpectRight(scene, Group, "origin at " + ToText(origin), Bound);
   }
 }
 

@@ -11,13 +11,6 @@ using namespace flatblock::testing;
 namespace
 {
 const char* const Group = "steps and opacities";
-
-std::string Text(double number)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%g", number);
-  return text;
-}
 } // namespace
 
 TEST(ExtremeSteps, TooSmallOnesAreLengthenedAndSaid)
@@ -32,7 +25,7 @@ TEST(ExtremeSteps, TooSmallOnesAreLengthenedAndSaid)
     Scene recorded;
     ShowWaves(recorded, { 9, 8, 10 }, step);
     recorded.Window->SetSize(32, 32);
-    ExpectRight(recorded, Group, "sample distance of " + Text(step) + " voxels", 2e-4);
+    ExpectRight(recorded, Group, "sample distance of " + ToText(step) + " voxels", 2e-4);
   }
 }
 
@@ -43,7 +36,7 @@ TEST(ExtremeSteps, LongOnesSeeTheEndsOfARay)
   {
     Scene scene;
     ShowWaves(scene, { 9, 8, 10 }, step);
-    ExpectRight(scene, Group, "sample distance of " + Text(step) + " voxels",
+    ExpectRight(scene, Group, "sample distance of " + ToText(step) + " voxels",
       step > 1.0 ? 0.2 : 0.01, step > 1.0 ? "coarse" : "");
   }
   // A linear field is exact for any step.
@@ -64,7 +57,7 @@ TEST(ExtremeSteps, OpacitiesOfEverySize)
     scene.SetOpacity({ { 0.0, opacity }, { 1.0, opacity } });
     scene.Mapper->SetEarlyTerminationThreshold(1.0);
     const Outcome outcome = CompareWithReference(scene);
-    ExpectRight(scene, Group, "opacity " + Text(opacity), opacity < 0.9 ? 1e-3 : 0.02);
+    ExpectRight(scene, Group, "opacity " + ToText(opacity), opacity < 0.9 ? 1e-3 : 0.02);
     EXPECT_LE(outcome.Error, std::max(0.02 * outcome.Brightest, 1e-9)) << opacity;
   }
 }
@@ -79,7 +72,7 @@ TEST(ExtremeSteps, UnitDistancesOfEverySize)
     scene.Property->SetScalarOpacityUnitDistance(unit * diagonal);
     scene.Mapper->SetEarlyTerminationThreshold(1.0);
     const Outcome outcome = CompareWithReference(scene);
-    ExpectRight(scene, Group, "opacity unit distance of " + Text(unit) + " diagonals", 0.02);
+    ExpectRight(scene, Group, "opacity unit distance of " + ToText(unit) + " diagonals", 0.02);
     EXPECT_LE(outcome.Error, 0.02 * outcome.Brightest) << unit;
   }
 }

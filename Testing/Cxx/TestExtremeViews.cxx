@@ -189,6 +189,6 @@ TEST(ExtremeViews, ParallelScales)
     Look(scene, { 30, 25, 35 }, { 8.3, 8.1, 8.2 });
     scene.Renderer->GetActiveCamera()->SetParallelScale(scale);
     scene.Renderer->ResetCameraClippingRange();
-    ExpectRight(scene, Group, "parallel scale " + std::to_string(scale), Bound);
+    ExpectRight(scene, Group, "parallel scale " + ToText(scale), Bound);
   }
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 namespace flatblock::testing
 {
@@ -59,6 +60,13 @@ void ExpectRight(Scene& scene, const std::string& group, const std::string& what
     result += (result.empty() ? "warning: " : "; warning: ") + text;
   }
   Record(group, what, result.empty() ? "right" : result, outcome.Error);
+}
+
+std::string ToText(double number)
+{
+  std::ostringstream text;
+  text << number;
+  return text.str();
 }
 
 void Record(

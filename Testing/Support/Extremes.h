@@ -33,6 +33,9 @@ Outcome CompareWithReference(Scene& scene, int stride = 4);
 void ExpectRight(Scene& scene, const std::string& group, const std::string& what, double bound,
   const std::string& came = "");
 
+/// A number in as few digits as it has.
+std::string ToText(double number);
+
 /// Puts down a row without drawing.
 void Record(
   const std::string& group, const std::string& what, const std::string& came, double error);
