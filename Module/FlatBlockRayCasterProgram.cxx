@@ -5,6 +5,7 @@
 #include "vtkShaderProgram.h"
 
 #include "FlatBlockBlocksGLSL.h"
+#include "FlatBlockClassifiedPointGLSL.h"
 #include "FlatBlockPostInterpolationGLSL.h"
 #include "FlatBlockPreIntegratedGLSL.h"
 #include "FlatBlockPreInterpolationGLSL.h"
@@ -19,17 +20,15 @@ namespace flatblock
 {
 namespace
 {
-const char* GetClassification(Classification method)
+std::string GetClassification(Classification method)
 {
-  switch (method)
+  if (method == Classification::PreIntegrated)
   {
-  case Classification::PreIntegrated:
     return FlatBlockPreIntegratedGLSL;
-  case Classification::PreInterpolation:
-    return FlatBlockPreInterpolationGLSL;
-  default:
-    return FlatBlockPostInterpolationGLSL;
   }
+  return std::string(FlatBlockClassifiedPointGLSL) + (method == Classification::PreInterpolation
+                                                         ? FlatBlockPreInterpolationGLSL
+                                                         : FlatBlockPostInterpolationGLSL);
 }
 
 std::string GetDefines(const RaySampling& sampling, bool hasHoles, bool hasLongSums)

@@ -54,10 +54,11 @@ public:
 
   ///@{
   /**
-   * Bytes on the graphics card that are never exceeded, by atlas, index texture, tables and the
-   * copy of the scene's depth together. Default: 256 MiB. Where the visible blocks don't fit at
-   * their finest level, those far from the point of interest are drawn coarser. Where the card has
-   * less memory than this, an error says so, and a smaller atlas is drawn until this is set anew.
+   * Bytes on the graphics card that are never exceeded, by atlas, index texture, tables, image of
+   * rays and the copy of the scene's depth together. Default: 256 MiB. Where the visible blocks
+   * don't fit at their finest level, those far from the point of interest are drawn coarser. Where
+   * the card has less memory than this, an error says so, and a smaller atlas is drawn until this
+   * is set anew.
    */
   vtkSetClampMacro(MaxMemoryInBytes, vtkTypeInt64, 1, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MaxMemoryInBytes, vtkTypeInt64);

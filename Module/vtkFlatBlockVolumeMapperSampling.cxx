@@ -55,7 +55,7 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   flatblock::RaySampling& sampling = in.Sampling;
   sampling.Method = GetMethod(this->Classification, volume);
   sampling.UnitOfLength = in.Input.SmallestSpacing;
-  // From where on both would be no more than a point a ray, or lost in single precision.
+  // Beyond these nothing changes in the picture, and single precision would overflow.
   sampling.Step = std::clamp(
     this->GetStep(), 1e-6 * in.Input.SmallestSpacing, std::max(2.0 * in.Input.Diagonal, 1e-30));
   sampling.PixelsPerRay = this->ImageSampleDistance;

@@ -190,8 +190,8 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
   }
 
   Cover cover = Cover::Box;
-  if (flatblock::IsBoxTooCloseToDraw(
-        &sampleToClip->Element[0][0], scene.Source->GetGrid().GetSamples()))
+  if (flatblock::IsBoxInexactOnScreen(
+        sampleToClip->GetData(), scene.Source->GetGrid().GetSamples()))
   {
     cover = Cover::Viewport;
   }
@@ -215,7 +215,9 @@ void vtkOpenGLFlatBlockRayCaster::SetUniforms(
   vtkRenderer* renderer, vtkShaderProgram* program, const Scene& scene, vtkMatrix4x4* sampleToClip)
 {
   const bool parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
-  SetSight(program, flatblock::ComputeRaySight(&sampleToClip->Element[0][0],
+  vtkNew<vtkMatrix4x4> clipToSample;
+  vtkMatrix4x4::Invert(sampleToClip, clipToSample);
+  SetSight(program, flatblock::ComputeRaySight(sampleToClip->GetData(), clipToSample->GetData(),
                       scene.Source->GetGrid().GetSamples(), parallel));
   this->SetGeometry(program, scene, sampleToClip);
   this->SetRays(renderer, program, scene);
@@ -304,8 +306,7 @@ void vtkOpenGLFlatBlockRayCaster::SetBlocks(vtkShaderProgram* program, const Sce
   program->SetUniform1iv("in_Blocks", 3, grid.GetBlocks().data());
 }
 
-// Into an image of their own, or the window itself. Nothing but the blend function is left changed
-// when this returns, and that only for a scope.
+// Into an image of their own, or the window itself. OpenGL's state is put back in the end.
 bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& scene, Cover cover)
 {
   vtkOpenGLState* state =

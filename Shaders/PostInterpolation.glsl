@@ -1,13 +1,4 @@
-// Post-interpolative classification: values are interpolated, then classified. What is found at a
-// point stands for half of the pieces that meet there.
-
-struct Point
-{
-  vec4 matter;
-#ifdef FLATBLOCK_HOLES
-  bool isHole;
-#endif
-};
+// Post-interpolative classification: values are interpolated, then classified.
 
 Point pointAt(Brick brick, vec3 position)
 {
@@ -18,10 +9,4 @@ Point pointAt(Brick brick, vec3 position)
   point.isHole = isHole(texel);
 #endif
   return point;
-}
-
-Piece pieceBetween(Point front, Point back, float length)
-{
-  return Piece(
-    composite(layerOf(front.matter, 0.5 * length), layerOf(back.matter, 0.5 * length)), 0.0);
 }

@@ -13,7 +13,7 @@ const int RestOfSum = 2;
 const int Variation = 3;
 
 const float Tolerance = 1.2e-4; // of a piece, as a share of its opacity
-const float Tiny = 1e-30;     // so that nothing is divided by 0
+const float Tiny = 1e-30;       // so that nothing is divided by 0
 
 struct Point
 {
@@ -111,9 +111,9 @@ float unevennessBetween(Point low, Point high, float changed, float extinction)
 {
   float total =
     (high.position > high.interval ? high.variation.z : high.variation.w) - low.variation.w;
-  float bend =
-    (high.variation.x - low.variation.x) + changed * (high.variation.y - low.variation.y) / extinction;
-  return min(total, 0.25 * (high.position - low.position) * bend);
+  vec4 bend = high.variation - low.variation;
+  return min(
+    total, 0.25 * (high.position - low.position) * (bend.x + changed * bend.y / extinction));
 }
 
 Piece pieceBetween(Point front, Point back, float length)

@@ -1,14 +1,6 @@
 // Pre-interpolative classification: the samples at the corners of a cell are classified, then their
 // colours, weighted by extinction, and their extinctions are interpolated (Wittenbrink, Malzbender and
-// Goss 1998). What is found at a point stands for half of the pieces that meet there.
-
-struct Point
-{
-  vec4 matter;
-#ifdef FLATBLOCK_HOLES
-  bool isHole;
-#endif
-};
+// Goss 1998).
 
 Point pointAt(Brick brick, vec3 position)
 {
@@ -33,10 +25,4 @@ Point pointAt(Brick brick, vec3 position)
   }
   point.matter = sum.a > 0.0 ? vec4(sum.rgb / sum.a, sum.a) : vec4(0.0);
   return point;
-}
-
-Piece pieceBetween(Point front, Point back, float length)
-{
-  return Piece(
-    composite(layerOf(front.matter, 0.5 * length), layerOf(back.matter, 0.5 * length)), 0.0);
 }

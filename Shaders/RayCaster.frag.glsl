@@ -2,9 +2,9 @@
 //VTK::Output::Dec
 //FlatBlock::Defines
 
-// One ray through the flat blocks. The fragment lies on a face of the box where rays leave it.
-// Positions are in sample coordinates; distances along the ray are counted in steps, which are
-// equally long in the data set's own unit of length, whatever the spacing and the direction.
+// One ray through the flat blocks: that of the fragment, if it meets their box at all. Positions are
+// in sample coordinates; distances along the ray are counted in steps, which are equally long in the
+// data set's own unit of length, whatever the spacing and the direction.
 
 //FlatBlock::Ray
 //FlatBlock::Blocks
@@ -91,9 +91,12 @@ void gather(inout Gathered gathered, Ray ray, vec3 origin, Brick brick, float ex
     float advance = target - gathered.at;
     Piece piece =
       pieceWithoutHoles(gathered.front, back, max(advance, 0.0) * ray.unit * in_StepLength);
-    if (piece.error > 1.0 && advance > LeastPart)
+    // Far along a ray a part may be too small to be told from nothing: then the piece is taken as it is.
+    float nearer = gathered.at + smallerPart(piece.error) * advance;
+    bool isDivisible = advance > LeastPart && nearer > gathered.at && nearer < target;
+    if (piece.error > 1.0 && isDivisible)
     {
-      target = gathered.at + smallerPart(piece.error) * advance;
+      target = nearer;
     }
     else
     {

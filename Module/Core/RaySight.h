@@ -19,11 +19,13 @@ struct RaySight
 /// part: the results can be used in single precision.
 ///
 /// @param sampleToClip  row by row, from sample coordinates to clip coordinates; any projection
+/// @param clipToSample  its inverse
 /// @param samples       of the box [0, samples - 1]
-RaySight ComputeRaySight(
-  const double* sampleToClip, const std::array<int, 3>& samples, bool parallel);
+RaySight ComputeRaySight(const double* sampleToClip, const double* clipToSample,
+  const std::array<int, 3>& samples, bool parallel);
 
-/// Whether the box reaches so close to the eye, or past it, that its corners on the screen are not
-/// exact in single precision.
-bool IsBoxTooCloseToDraw(const double* sampleToClip, const std::array<int, 3>& samples);
+/// Whether a graphics card would draw the box inexactly: where it reaches close to the eye, or past
+/// it, so that its corners are not exact in single precision; or where it is hardly larger than the
+/// 1/256 of a pixel to which edges are told.
+bool IsBoxInexactOnScreen(const double* sampleToClip, const std::array<int, 3>& samples);
 } // namespace flatblock

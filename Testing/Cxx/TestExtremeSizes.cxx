@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace flatblock::testing;
 
@@ -32,6 +33,30 @@ TEST(ExtremeSizes, OfEveryKind)
     }
     ExpectRight(scene, Group, Text(samples), 0.01);
   }
+}
+
+// So many steps that a small part of one is nothing in single precision, and an edge of many
+// colours that asks for small parts.
+TEST(ExtremeSizes, LongRaysEnd)
+{
+  Scene scene;
+  ShowWaves(scene, { 4097, 3, 3 });
+  scene.Window->SetSize(16, 16);
+  scene.SetVolume(
+    MakeVolume({ 4097, 3, 3 }, VTK_FLOAT, [](int x, int, int) { return x > 100 ? 0.0 : 1.0; }),
+    1.0 / 32.0);
+  scene.SetOpacity({ { 0.0, 0.0 }, { 0.1, 0.0 }, { 0.2, 0.99 }, { 1.0, 0.99 } });
+  std::vector<std::array<double, 4>> colors;
+  for (int i = 0; i <= 1000; ++i)
+  {
+    colors.push_back({ 0.001 * i, i % 2 ? 1.0 : 0.0, i % 3 ? 0.0 : 1.0, 0.001 * i });
+  }
+  scene.SetColor(colors);
+  scene.Property->SetScalarOpacityUnitDistance(0.02);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.LookFrom(90.0, 0.0);
+  scene.Renderer->GetActiveCamera()->SetParallelScale(0.9);
+  ExpectRight(scene, Group, "an edge behind 128000 steps along a ray", 0.02);
 }
 
 // A sheet has no thickness, so it has no opacity either: nothing can be drawn.

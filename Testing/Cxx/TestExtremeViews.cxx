@@ -187,8 +187,11 @@ TEST(ExtremeViews, ParallelScales)
     Show(scene);
     scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
     Look(scene, { 30, 25, 35 }, { 8.3, 8.1, 8.2 });
+    scene.Window->SetSize(65, 65); // the ray in the middle hits even what is smaller than a pixel
     scene.Renderer->GetActiveCamera()->SetParallelScale(scale);
-    scene.Renderer->ResetCameraClippingRange();
+    // VTK's own range begins a ten-thousandth of the scale before the camera, behind the volume.
+    scene.Renderer->GetActiveCamera()->SetClippingRange(1.0, 100.0);
+    EXPECT_GT(CompareWithReference(scene).Brightest, 0.5);
     ExpectRight(scene, Group, "parallel scale " + ToText(scale), Bound);
   }
 }

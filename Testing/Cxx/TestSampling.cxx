@@ -118,6 +118,29 @@ TEST(Sampling, ImagesOfRaysOfAnotherSize)
   EXPECT_EQ(scene.Mapper->GetMemoryInBytes(), bytes) << "what is not used takes no memory";
 }
 
+TEST(Sampling, ImagesOfRaysKeepTheMemoryLimit)
+{
+  constexpr vtkTypeInt64 Limit = 1'200'000;
+  Scene scene;
+  ShowWaves(scene, 0.5);
+  scene.Mapper->SetMaxMemoryInBytes(Limit);
+  for (double distance : { 1.0, 0.5, 2.0, 0.7 })
+  {
+    for (int samples : { 0, 100 })
+    {
+      for (bool adjusts : { false, true })
+      {
+        scene.Mapper->SetImageSampleDistance(distance);
+        scene.Mapper->SetMinimumImageSampleDistance(distance);
+        scene.Mapper->SetMaximumNumberOfSamples(samples);
+        scene.Mapper->SetAutoAdjustSampleDistances(adjusts);
+        EXPECT_TRUE(ShowsSomething(scene.Draw()));
+        EXPECT_LE(scene.Mapper->GetPeakMemoryInBytes(), Limit) << distance << " " << samples;
+      }
+    }
+  }
+}
+
 // Interactive frames that take too long are drawn with fewer rays; stills are not.
 TEST(Sampling, InteractiveFramesAdjustThemselves)
 {

@@ -39,7 +39,7 @@ TEST(TransferTable, ClampsBeyondItsEnds)
   EXPECT_FALSE(table.IsTransparent(8.0, 9.0));
 }
 
-TEST(TransferTable, CopesWithOneEntry)
+TEST(TransferTable, CopesWithASingleValue)
 {
   EXPECT_TRUE(MakeTable(5.0, 5.0, { 0.0F, 0.0F }).IsTransparent(5.0, 5.0));
   EXPECT_FALSE(MakeTable(5.0, 5.0, { 0.1F, 0.1F }).IsTransparent(5.0, 5.0));

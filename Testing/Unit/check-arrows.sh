@@ -21,7 +21,8 @@ kernels=$(names Kernels/*.h)
 forbid "Kernels knows VTK, OpenGL or Core" "vtk|GL/|$core" Kernels/*.{h,cxx,cu}
 forbid "Core knows VTK, OpenGL or Kernels" "vtk|GL/|$kernels" Module/Core/*.{h,cxx}
 forbid "An OpenGL class knows Kernels, the builder or the mapper" \
-  "$kernels|vtkFlatBlock|FlatBlockVolumeInput" Module/vtkOpenGLFlatBlock*.{h,cxx}
+  "$kernels|vtkFlatBlock|FlatBlockVolumeInput" Module/vtkOpenGLFlatBlock*.{h,cxx} \
+  Module/FlatBlockRayCasterProgram.*
 forbid "The levels know the builder, the mapper or an OpenGL class" \
   "$kernels|vtkFlatBlock(Builder|VolumeMapper)|vtkOpenGL" Module/vtkFlatBlockLevels.*
 forbid "The builder knows the mapper or an OpenGL class" \

@@ -1,0 +1,16 @@
+// A point that is classified by itself: what is found there stands for half of the pieces that meet in
+// it.
+
+struct Point
+{
+  vec4 matter;
+#ifdef FLATBLOCK_HOLES
+  bool isHole;
+#endif
+};
+
+Piece pieceBetween(Point front, Point back, float length)
+{
+  return Piece(
+    composite(layerOf(front.matter, 0.5 * length), layerOf(back.matter, 0.5 * length)), 0.0);
+}
