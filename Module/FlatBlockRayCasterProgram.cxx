@@ -13,6 +13,7 @@
 #include "FlatBlockRayCasterVertexGLSL.h"
 #include "FlatBlockRayGLSL.h"
 #include "FlatBlockTransferTableGLSL.h"
+#include "FlatBlockWalkGLSL.h"
 
 #include <string>
 
@@ -38,6 +39,7 @@ std::string GetDefines(const RaySampling& sampling, bool hasHoles, bool hasLongS
   { defines += isSet ? "#define " + std::string(name) + "\n" : std::string(); };
   define(hasHoles, "FLATBLOCK_HOLES");
   define(hasLongSums, "FLATBLOCK_LONG_SUMS");
+  define(sampling.CellsPerCube > 0, "FLATBLOCK_SKIPPING");
   define(sampling.Jittering, "FLATBLOCK_JITTERING");
   define(sampling.MostSamples > 0, "FLATBLOCK_SAMPLE_LIMIT");
   define(sampling.RayStart > 0.0, "FLATBLOCK_RAY_START");
@@ -54,6 +56,7 @@ vtkShaderProgram* ReadyRayCaster(
   insert("//FlatBlock::Defines", GetDefines(sampling, hasHoles, hasLongSums));
   insert("//FlatBlock::Ray", FlatBlockRayGLSL);
   insert("//FlatBlock::Blocks", FlatBlockBlocksGLSL);
+  insert("//FlatBlock::Walk", FlatBlockWalkGLSL);
   insert("//FlatBlock::TransferTable", FlatBlockTransferTableGLSL);
   insert("//FlatBlock::Classification", GetClassification(sampling.Method));
   return window->GetShaderCache()->ReadyShaderProgram(

@@ -158,6 +158,7 @@ bool vtkFlatBlockBuilder::Update(
   image->GetDimensions(samples.data());
   const flatblock::BlockGrid grid(samples, blockSize);
   this->Source.reset();
+  this->CellsPerRange = 0;
   this->Cuda.Release();
   this->BuiltFilter = filter;
   this->Scalars = UnpackBits(scalars);
@@ -192,6 +193,35 @@ void vtkFlatBlockBuilder::Build(const flatblock::BlockGrid& grid, const T* sampl
     CountNonFinite(samples, this->Scalars->GetNumberOfValues(), this->BlockRanges);
   this->Source = std::make_unique<ImageBrickSource<T>>(
     grid, samples, MakeEncoding<T>(this->Range), this->BuiltFilter);
+}
+
+const std::vector<flatblock::CellRange>& vtkFlatBlockBuilder::GetCellRanges(int cells)
+{
+  if (this->CellsPerRange != cells)
+  {
+    constexpr double Steps = 65535.0;
+    const double span = this->Range.Highest - this->Range.Lowest;
+    const bool areIntegers = this->Scalars->GetDataType() != VTK_FLOAT &&
+                             this->Scalars->GetDataType() != VTK_DOUBLE && span <= Steps;
+    this->CellScale = { this->Range.Lowest, areIntegers || span <= 0.0 ? 1.0 : span / Steps };
+    this->CellsPerRange = cells;
+    const flatblock::Index3 count =
+      flatblock::BlockGrid(this->Source->GetGrid().GetSamples(), cells + 1).GetBlocks();
+    switch (this->Scalars->GetDataType())
+    {
+      vtkTemplateMacro(
+        this->BuildCellRanges(static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0)), count));
+    }
+  }
+  return this->CellRanges;
+}
+
+template <typename T>
+void vtkFlatBlockBuilder::BuildCellRanges(const T* samples, const flatblock::Index3& count)
+{
+  this->CellRanges.resize(static_cast<std::size_t>(count[0]) * count[1] * count[2]);
+  flatblock::ComputeCellRanges(samples, this->Source->GetGrid().GetSamples(), this->CellsPerRange,
+    count, this->CellScale, this->CellRanges.data());
 }
 
 std::string vtkFlatBlockBuilder::ComputeDistortion(const std::vector<std::int64_t>& blocks,

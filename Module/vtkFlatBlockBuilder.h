@@ -10,6 +10,7 @@
 
 #include "BlockRanges.h"
 #include "BrickSource.h"
+#include "CellRanges.h"
 #include "CudaDistortion.h"
 #include "vtkObject.h"
 #include "vtkSmartPointer.h"
@@ -48,6 +49,13 @@ public:
   const flatblock::ValueRange& GetRange() const { return this->Range; }
 
   /**
+   * Ranges of cubes of so many cells a side, on a scale. Computed where they are first asked for,
+   * and kept until another size is.
+   */
+  const std::vector<flatblock::CellRange>& GetCellRanges(int cells);
+  const flatblock::CellScale& GetCellScale() const { return this->CellScale; }
+
+  /**
    * Samples that are NaN or infinite.
    */
   vtkTypeInt64 GetNumberOfNonFiniteSamples() const { return this->NonFiniteSamples; }
@@ -78,10 +86,16 @@ private:
   template <typename T>
   void Build(const flatblock::BlockGrid& grid, const T* samples);
 
+  template <typename T>
+  void BuildCellRanges(const T* samples, const flatblock::Index3& count);
+
   vtkSmartPointer<vtkDataArray> Scalars;
   std::unique_ptr<flatblock::BrickSource> Source;
   std::vector<flatblock::ValueRange> BlockRanges;
   flatblock::ValueRange Range;
+  std::vector<flatblock::CellRange> CellRanges;
+  flatblock::CellScale CellScale;
+  int CellsPerRange = 0; // 0: there are none
   vtkTypeInt64 NonFiniteSamples = 0;
   flatblock::CudaDistortion Cuda;
 

@@ -21,4 +21,7 @@ void vtkFlatBlockRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfSamples: " << this->MaximumNumberOfSamples << "\n";
   os << indent << "RayStartOffset: " << this->RayStartOffset << "\n";
   os << indent << "EarlyTerminationThreshold: " << this->EarlyTerminationThreshold << "\n";
+  const char* const skippings[] = { "Nothing", "Blocks", "Cells" };
+  os << indent << "Skipping: " << skippings[this->Skipping] << "\n";
+  os << indent << "HomogeneousLeaps: " << this->HomogeneousLeaps << "\n";
 }

@@ -141,6 +141,37 @@ public:
   vtkGetMacro(EarlyTerminationThreshold, double);
   ///@}
 
+  enum Skippings
+  {
+    SKIP_NOTHING,
+    SKIP_BLOCKS,
+    SKIP_CELLS
+  };
+
+  ///@{
+  /**
+   * What rays leap over where the transfer function leaves it transparent: nothing but what no
+   * brick holds, one block after the other; runs of transparent blocks; or also cubes of 4^3 cells
+   * and more (default), by a map of one byte a cube, which counts in MaxMemoryInBytes and takes at
+   * most 1/64 of it. Points of a ray stay where they are, and pictures the same to 1/255.
+   */
+  vtkSetClampMacro(Skipping, int, SKIP_NOTHING, SKIP_CELLS);
+  vtkGetMacro(Skipping, int);
+  void SetSkippingToNothing() { this->SetSkipping(SKIP_NOTHING); }
+  void SetSkippingToBlocks() { this->SetSkipping(SKIP_BLOCKS); }
+  void SetSkippingToCells() { this->SetSkipping(SKIP_CELLS); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether what Skipping looks at is also left in one leap where it is of one colour and opacity:
+   * with the opacity of its whole length. Default: on.
+   */
+  vtkSetMacro(HomogeneousLeaps, bool);
+  vtkGetMacro(HomogeneousLeaps, bool);
+  vtkBooleanMacro(HomogeneousLeaps, bool);
+  ///@}
+
 protected:
   vtkFlatBlockRayCastMapper();
   ~vtkFlatBlockRayCastMapper() override;
@@ -157,6 +188,8 @@ protected:
   int MaximumNumberOfSamples = 0;
   double RayStartOffset = 0.0;
   double EarlyTerminationThreshold = 1.0 - 1.0 / 255.0;
+  int Skipping = SKIP_CELLS;
+  bool HomogeneousLeaps = true;
 
 private:
   vtkFlatBlockRayCastMapper(const vtkFlatBlockRayCastMapper&) = delete;

@@ -5,7 +5,7 @@
  * The volume is cut into flat blocks: cubes of 2^n cells whose neighbours share their border
  * samples. Blocks in which the transfer function is transparent are neither uploaded nor sampled;
  * the bricks of all others lie packed in one 3D texture, the atlas. One box is drawn, and each ray
- * walks from block to block.
+ * walks from block to block, leaping over what looks all the same.
  *
  * Within MaxMemoryInBytes each block has its own level of detail: level l is made of one sample in
  * 2^l along each axis. Blocks near the point of interest are refined first, those out of view last.
@@ -355,7 +355,6 @@ protected:
 private:
   vtkFlatBlockVolumeMapper(const vtkFlatBlockVolumeMapper&) = delete;
   void operator=(const vtkFlatBlockVolumeMapper&) = delete;
-
   void ReportOnce(const char* error);
   void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);
   void UpdateBlocks();

@@ -45,7 +45,9 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   this->UpdateBlocks();
   this->WarnAboutSamples();
   this->UpdateTransferTable(volume);
+  in.ChooseCubes(this->Skipping, this->MaxMemoryInBytes);
   this->UpdateAtlas(renderer, volume);
+  in.UpdateSkipMap(this->LevelFilter == TENT, this->HomogeneousLeaps);
   this->DrawRays(renderer, volume);
 }
 
@@ -128,7 +130,7 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer
   return vtkOpenGLFlatBlockAtlas::GetIndexBytes(this->GetNumberOfBlocks()) +
          flatblock::RoundUp(vtkOpenGLFlatBlockSceneDepth::GetBytes(size[0], size[1])) +
          vtkOpenGLFlatBlockRayCaster::GetTableBytes(in.TransferFunction->GetTable(), in.Sampling) +
-         this->GetImageBytes(renderer);
+         in.GetSkipMapBytes() + this->GetImageBytes(renderer);
 }
 
 void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* volume)
@@ -212,7 +214,7 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
     in.CardLimit = {};
   }
   const flatblock::TransferTable& table = in.TransferFunction->GetTable();
-  in.RayCaster->ReleaseStale(renderer, table, in.Sampling);
+  in.RayCaster->ReleaseStale(renderer, table, in.GetSkipMapBytes(), in.Sampling);
   while (!this->TryAtlas(renderer, volume))
   {
     this->ShrinkAtlas();

@@ -8,6 +8,7 @@
 #include "vtkFlatBlockBuilder.h"
 #include "vtkFlatBlockDistortion.h"
 #include "vtkFlatBlockLevels.h"
+#include "vtkFlatBlockSkipMap.h"
 #include "vtkFlatBlockTransferFunction.h"
 #include "vtkFlatBlockVolumeMapper.h"
 #include "vtkOpenGLFlatBlockAtlas.h"
@@ -81,6 +82,9 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
 
   void UpdateClassified();
   void UpdateTransmittance(const flatblock::VolumeView& view);
+  void ChooseCubes(int skipping, vtkTypeInt64 memory);
+  void UpdateSkipMap(bool areLevelsFiltered, bool leapsMatter);
+  vtkTypeInt64 GetSkipMapBytes() const;
   flatblock::FramePlan PlanFrame(const flatblock::RefinementBudget* budget, bool continuity);
 
   flatblock::MemoryCounter Memory; // outlives those who count in it
@@ -92,6 +96,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   std::vector<float> Transmittance;   // with which each block is seen at most
   vtkNew<vtkFlatBlockLevels> Levels;
   flatblock::Residency Residency;
+  vtkNew<vtkFlatBlockSkipMap> SkipMap;
   vtkNew<vtkOpenGLFlatBlockAtlas> Atlas;
   vtkNew<vtkOpenGLFlatBlockRayCaster> RayCaster;
 
@@ -101,6 +106,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   double InteractiveFactor = 1.0;  // by which interactive frames lengthen their distances
   vtkTimeStamp VisibleBlocksTime;
   vtkTimeStamp TransferTextureTime;
+  vtkTimeStamp SkipTextureTime;
   vtkTimeStamp ExtinctionTime;
   vtkTimeStamp TransmittanceTime;
   flatblock::VolumeView TransmittanceView; // only compared with

@@ -3,14 +3,14 @@
 #include "vtkOpenGLFlatBlockRayCaster.h"
 
 #include "FlatBlockRayCasterProgram.h"
+#include "FlatBlockRayGeometry.h"
 #include "RaySight.h"
-#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLFlatBlockAtlas.h"
 #include "vtkOpenGLFlatBlockRayImage.h"
 #include "vtkOpenGLFlatBlockSceneDepth.h"
+#include "vtkOpenGLFlatBlockSkipTexture.h"
 #include "vtkOpenGLFlatBlockTransferTable.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -19,8 +19,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 vtkStandardNewMacro(vtkOpenGLFlatBlockRayCaster);
@@ -28,78 +26,6 @@ vtkStandardNewMacro(vtkOpenGLFlatBlockRayCaster);
 namespace
 {
 constexpr int CubeStripVertices = 14;
-
-// VTK's key matrices are transposed; from here on they are not.
-void GetSampleToClip(vtkRenderer* renderer, vtkMatrix4x4* sampleToWorld, vtkMatrix4x4* sampleToClip)
-{
-  vtkMatrix4x4* view;
-  vtkMatrix3x3* normal;
-  vtkMatrix4x4* projection;
-  vtkMatrix4x4* clip;
-  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
-  camera->GetKeyMatrices(renderer, view, normal, projection, clip);
-  vtkNew<vtkMatrix4x4> worldToClip;
-  vtkMatrix4x4::Transpose(clip, worldToClip);
-  vtkMatrix4x4::Multiply4x4(worldToClip, sampleToWorld, sampleToClip);
-}
-
-using Row = std::array<double, 4>;
-
-Row GetRow(vtkMatrix4x4* matrix, int row)
-{
-  return { matrix->GetElement(row, 0), matrix->GetElement(row, 1), matrix->GetElement(row, 2),
-    matrix->GetElement(row, 3) };
-}
-
-Row Combine(const Row& a, double factor, const Row& b)
-{
-  return { a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2], a[3] + factor * b[3] };
-}
-
-double Apply(const Row& row, const std::array<float, 3>& point, double share)
-{
-  return share * (row[0] * point[0] + row[1] * point[1] + row[2] * point[2]) + row[3];
-}
-
-void SetRow(vtkShaderProgram* program, const char* name, const Row& row, double scale = 1.0)
-{
-  float values[4];
-  std::transform(row.begin(), row.end(), values,
-    [scale](double value) { return static_cast<float>(value * scale); });
-  program->SetUniform4f(name, values);
-}
-
-void SetColumns(vtkShaderProgram* program, const char* name, const std::array<double, 9>& columns)
-{
-  float values[9];
-  std::transform(
-    columns.begin(), columns.end(), values, [](double value) { return static_cast<float>(value); });
-  program->SetUniformMatrix3x3(name, values);
-}
-
-void SetSight(vtkShaderProgram* program, const flatblock::RaySight& sight)
-{
-  SetColumns(program, "in_PixelToOrigin", sight.Origin);
-  SetColumns(program, "in_PixelToSight", sight.Direction);
-  SetRow(program, "in_Eye", sight.Eye);
-}
-
-void SetDirections(
-  vtkShaderProgram* program, const char* name, vtkMatrix4x4* matrix, double unitOfLength)
-{
-  float columns[9];
-  for (int i = 0; i < 9; ++i)
-  {
-    columns[i] = static_cast<float>(matrix->GetElement(i % 3, i / 3) / unitOfLength);
-  }
-  program->SetUniformMatrix3x3(name, columns);
-}
-
-std::array<float, 3> ToFloats(const flatblock::Index3& index, int offset)
-{
-  return { static_cast<float>(index[0] + offset), static_cast<float>(index[1] + offset),
-    static_cast<float>(index[2] + offset) };
-}
 } // namespace
 
 vtkOpenGLFlatBlockRayCaster::vtkOpenGLFlatBlockRayCaster() = default;
@@ -108,6 +34,7 @@ vtkOpenGLFlatBlockRayCaster::~vtkOpenGLFlatBlockRayCaster() = default;
 void vtkOpenGLFlatBlockRayCaster::SetMemoryCounter(flatblock::MemoryCounter* counter)
 {
   this->TransferTable->SetMemoryCounter(counter);
+  this->SkipTexture->SetMemoryCounter(counter);
   this->SceneDepth->SetMemoryCounter(counter);
   this->RayImage->SetMemoryCounter(counter);
 }
@@ -134,9 +61,11 @@ vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetImageBytes(
 }
 
 void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
-  const flatblock::TransferTable& table, const flatblock::RaySampling& sampling)
+  const flatblock::TransferTable& table, vtkTypeInt64 skipMapBytes,
+  const flatblock::RaySampling& sampling)
 {
   this->SceneDepth->ReleaseIfStale(renderer);
+  this->SkipTexture->ReleaseIfStale(renderer->GetRenderWindow(), skipMapBytes);
   this->TransferTable->ReleaseIfStale(renderer->GetRenderWindow(), table, NeedsIntegrals(sampling));
   if (sampling.HasImage())
   {
@@ -157,6 +86,17 @@ void vtkOpenGLFlatBlockRayCaster::SetTransferTable(vtkOpenGLRenderWindow* window
 bool vtkOpenGLFlatBlockRayCaster::HasTransferTable(const flatblock::RaySampling& sampling) const
 {
   return this->TransferTable->IsUploaded(NeedsIntegrals(sampling));
+}
+
+bool vtkOpenGLFlatBlockRayCaster::SetSkipMap(vtkOpenGLRenderWindow* window,
+  const flatblock::SkipMap& map, const flatblock::RaySampling& sampling)
+{
+  return this->SkipTexture->Upload(window, map, sampling.CellsPerCube);
+}
+
+bool vtkOpenGLFlatBlockRayCaster::HasSkipMap() const
+{
+  return this->SkipTexture->IsUploaded();
 }
 
 void vtkOpenGLFlatBlockRayCaster::Finish()
@@ -182,11 +122,16 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
   vtkNew<vtkMatrix4x4> sampleToWorld;
   vtkNew<vtkMatrix4x4> sampleToClip;
   vtkMatrix4x4::Multiply4x4(scene.DataSetToWorld, scene.SampleToDataSet, sampleToWorld);
-  GetSampleToClip(renderer, sampleToWorld, sampleToClip);
-  this->SetUniforms(renderer, program, scene, sampleToClip);
+  flatblock::GetSampleToClip(renderer, sampleToWorld, sampleToClip);
+  flatblock::SetRayGeometry(renderer, program,
+    { scene.Source->GetGrid().GetSamples(), scene.SampleToDataSet, sampleToClip,
+      scene.Sampling.Step });
+  this->SetRays(renderer, program, scene);
+  this->SetBlocks(program, scene);
+  this->TransferTable->Activate(program, scene.Source->GetEncoding());
   if (scene.Sampling.RayStart > 0.0)
   {
-    SetDirections(program, "in_SampleToWorld", sampleToWorld, 1.0);
+    flatblock::SetDirections(program, "in_SampleToWorld", sampleToWorld, 1.0);
   }
 
   Cover cover = Cover::Box;
@@ -208,49 +153,11 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
     texture->Deactivate();
   }
   this->TransferTable->Deactivate();
+  if (scene.Sampling.CellsPerCube > 0)
+  {
+    this->SkipTexture->Deactivate();
+  }
   return isDrawn;
-}
-
-void vtkOpenGLFlatBlockRayCaster::SetUniforms(
-  vtkRenderer* renderer, vtkShaderProgram* program, const Scene& scene, vtkMatrix4x4* sampleToClip)
-{
-  const bool parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
-  vtkNew<vtkMatrix4x4> clipToSample;
-  vtkMatrix4x4::Invert(sampleToClip, clipToSample);
-  SetSight(program, flatblock::ComputeRaySight(sampleToClip->GetData(), clipToSample->GetData(),
-                      scene.Source->GetGrid().GetSamples(), parallel));
-  this->SetGeometry(program, scene, sampleToClip);
-  this->SetRays(renderer, program, scene);
-  this->SetBlocks(program, scene);
-  this->TransferTable->Activate(program, scene.Source->GetEncoding());
-}
-
-// Planes are scaled and shifted so that little cancels in single precision, however far the camera
-// and the origin are.
-void vtkOpenGLFlatBlockRayCaster::SetGeometry(
-  vtkShaderProgram* program, const Scene& scene, vtkMatrix4x4* sampleToClip)
-{
-  const auto lastSample = ToFloats(scene.Source->GetGrid().GetSamples(), -1);
-  program->SetUniform3f("in_LastSample", lastSample.data());
-  SetDirections(program, "in_SampleToSteps", scene.SampleToDataSet, scene.Sampling.Step);
-  vtkNew<vtkMatrix4x4> columns;
-  vtkMatrix4x4::Transpose(sampleToClip, columns);
-  program->SetUniformMatrix("in_SampleToClip", columns);
-
-  const Row z = GetRow(sampleToClip, 2);
-  const Row w = GetRow(sampleToClip, 3);
-  const Row nearPlane = Combine(z, 1.0, w);
-  const double nearLength = std::hypot(nearPlane[0], nearPlane[1], nearPlane[2]);
-  SetRow(program, "in_NearPlane", nearPlane, 1.0 / nearLength);
-
-  const double centerZ = Apply(z, lastSample, 0.5);
-  const double centerW = Apply(w, lastSample, 0.5);
-  const auto depth =
-    static_cast<float>(centerW > 0.0 ? std::clamp(centerZ / centerW, -1.0, 1.0) : 0.0);
-  const double scale = centerW != 0.0 ? 1.0 / std::abs(centerW) : 1.0;
-  program->SetUniformf("in_DepthOfCenter", depth);
-  SetRow(program, "in_SampleToDepth", Combine(z, -depth, w), scale);
-  SetRow(program, "in_SampleToClipW", w, scale);
 }
 
 void vtkOpenGLFlatBlockRayCaster::SetRays(
@@ -304,6 +211,13 @@ void vtkOpenGLFlatBlockRayCaster::SetBlocks(vtkShaderProgram* program, const Sce
   program->SetUniform3f("in_AtlasTexel", texel);
   program->SetUniformi("in_CellsPerBlock", grid.GetCellsPerBlock());
   program->SetUniform1iv("in_Blocks", 3, grid.GetBlocks().data());
+  if (scene.Sampling.CellsPerCube > 0)
+  {
+    this->SkipTexture->Activate(program);
+    program->SetUniformi("in_CubesPerBlock",
+      static_cast<int>(std::lround(
+        std::log2(grid.GetCellsPerBlock() / static_cast<double>(scene.Sampling.CellsPerCube)))));
+  }
 }
 
 // Into an image of their own, or the window itself. OpenGL's state is put back in the end.
@@ -367,6 +281,7 @@ void vtkOpenGLFlatBlockRayCaster::DrawCover(vtkOpenGLState* state, Cover cover)
 void vtkOpenGLFlatBlockRayCaster::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->TransferTable->ReleaseGraphicsResources(window);
+  this->SkipTexture->ReleaseGraphicsResources(window);
   this->SceneDepth->ReleaseGraphicsResources(window);
   this->RayImage->ReleaseGraphicsResources(window);
 }

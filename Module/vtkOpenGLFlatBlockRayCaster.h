@@ -9,6 +9,7 @@
 #include "BrickSource.h"
 #include "MemoryCounter.h"
 #include "RaySampling.h"
+#include "SkipMap.h"
 #include "TransferTable.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
@@ -17,6 +18,7 @@ class vtkMatrix4x4;
 class vtkOpenGLFlatBlockAtlas;
 class vtkOpenGLFlatBlockRayImage;
 class vtkOpenGLFlatBlockSceneDepth;
+class vtkOpenGLFlatBlockSkipTexture;
 class vtkOpenGLFlatBlockTransferTable;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
@@ -55,7 +57,7 @@ public:
    * Releases what the next Draw() will allocate in another size, so that its memory is free before.
    */
   void ReleaseStale(vtkRenderer* renderer, const flatblock::TransferTable& table,
-    const flatblock::RaySampling& sampling);
+    vtkTypeInt64 skipMapBytes, const flatblock::RaySampling& sampling);
 
   /**
    * Sends a transfer function to the graphics card, where Draw() finds it: with its integrals where
@@ -64,6 +66,14 @@ public:
   void SetTransferTable(vtkOpenGLRenderWindow* window, const flatblock::TransferTable& table,
     const flatblock::RaySampling& sampling);
   bool HasTransferTable(const flatblock::RaySampling& sampling) const;
+
+  /**
+   * The same for a map of leaps, where the sampling has one.
+   * @return whether the driver had memory for it
+   */
+  bool SetSkipMap(vtkOpenGLRenderWindow* window, const flatblock::SkipMap& map,
+    const flatblock::RaySampling& sampling);
+  bool HasSkipMap() const;
 
   /**
    * Bytes of a transfer function, and of the image of rays where one is drawn.
@@ -99,9 +109,6 @@ private:
   vtkOpenGLFlatBlockRayCaster(const vtkOpenGLFlatBlockRayCaster&) = delete;
   void operator=(const vtkOpenGLFlatBlockRayCaster&) = delete;
 
-  void SetUniforms(vtkRenderer* renderer, vtkShaderProgram* program, const Scene& scene,
-    vtkMatrix4x4* sampleToClip);
-  void SetGeometry(vtkShaderProgram* program, const Scene& scene, vtkMatrix4x4* sampleToClip);
   void SetRays(vtkRenderer* renderer, vtkShaderProgram* program, const Scene& scene);
   void SetBlocks(vtkShaderProgram* program, const Scene& scene);
   enum class Cover
@@ -114,6 +121,7 @@ private:
   void DrawCover(vtkOpenGLState* state, Cover cover);
 
   vtkNew<vtkOpenGLFlatBlockTransferTable> TransferTable;
+  vtkNew<vtkOpenGLFlatBlockSkipTexture> SkipTexture;
   vtkNew<vtkOpenGLFlatBlockSceneDepth> SceneDepth;
   vtkNew<vtkOpenGLFlatBlockRayImage> RayImage;
 };

@@ -1,4 +1,4 @@
-// The walk from block to block, and where a block's brick lies in the atlas.
+// The blocks, and where a block's brick lies in the atlas.
 
 uniform sampler3D in_Atlas;
 uniform usampler2D in_BlockIndex; // xyz: first texel of the brick, w: its level, or NotResident
@@ -8,14 +8,6 @@ uniform vec3 in_AtlasTexel;       // 1 / texels an axis
 uniform float in_AdaptiveSampling; // 1: the step doubles a level, 0: it is the same everywhere
 
 const uint NotResident = 65535u;
-
-struct BlockWalk
-{
-  ivec3 block;
-  ivec3 stride;    // -1 or 1
-  vec3 borders;    // distance along the ray to the next border of each axis
-  vec3 blockWidth; // distance along the ray between two borders of each axis
-};
 
 struct Brick
 {
@@ -28,39 +20,6 @@ struct Brick
   vec3 low;    // first and last texel, in the atlas
   vec3 high;
 };
-
-ivec3 blocksAnAxis()
-{
-  return ivec3(in_Blocks[0], in_Blocks[1], in_Blocks[2]);
-}
-
-BlockWalk enterBlocks(Ray ray)
-{
-  float cells = float(in_CellsPerBlock);
-  vec3 entry = ray.origin + ray.begin * ray.direction;
-  BlockWalk walk;
-  walk.block = clamp(ivec3(floor(entry / cells)), ivec3(0), blocksAnAxis() - 1);
-  walk.stride = ivec3(sign(ray.direction));
-  walk.blockWidth = cells / abs(ray.direction);
-  vec3 next = vec3(walk.block + max(walk.stride, 0)) * cells;
-  walk.borders = (next - ray.origin) / ray.direction;
-  return walk;
-}
-
-float distanceToBorder(BlockWalk walk)
-{
-  return min(walk.borders.x, min(walk.borders.y, walk.borders.z));
-}
-
-// Steps into the next block; false where the grid ends.
-bool crossBorder(inout BlockWalk walk)
-{
-  vec3 b = walk.borders;
-  int axis = b.x <= b.y && b.x <= b.z ? 0 : (b.y <= b.z ? 1 : 2);
-  walk.block[axis] += walk.stride[axis];
-  walk.borders[axis] += walk.blockWidth[axis];
-  return walk.block[axis] >= 0 && walk.block[axis] < in_Blocks[axis];
-}
 
 Brick fetchBrick(ivec3 block)
 {

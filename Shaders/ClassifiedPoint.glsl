@@ -9,6 +9,16 @@ struct Point
 #endif
 };
 
+Point noPoint()
+{
+  Point point;
+  point.matter = vec4(0.0);
+#ifdef FLATBLOCK_HOLES
+  point.isHole = true;
+#endif
+  return point;
+}
+
 Piece pieceBetween(Point front, Point back, float length)
 {
   return Piece(

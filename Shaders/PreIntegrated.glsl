@@ -33,6 +33,25 @@ struct Point
 #endif
 };
 
+Point noPoint()
+{
+  Point point;
+  point.position = 0.0;
+  point.interval = 0.0;
+  point.matter = vec4(0.0);
+  point.before = vec4(0.0);
+  point.behind = vec4(0.0);
+  point.sum = vec4(0.0);
+#ifdef FLATBLOCK_LONG_SUMS
+  point.rest = vec4(0.0);
+#endif
+  point.variation = vec4(0.0);
+#ifdef FLATBLOCK_HOLES
+  point.isHole = true;
+#endif
+  return point;
+}
+
 // Colour times extinction, and extinction, integrated over matter that varies linearly.
 vec4 linearIntegral(vec4 begin, vec4 end, float length)
 {

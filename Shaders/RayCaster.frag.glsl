@@ -8,6 +8,7 @@
 
 //FlatBlock::Ray
 //FlatBlock::Blocks
+//FlatBlock::Walk
 //FlatBlock::TransferTable
 //FlatBlock::Classification
 
@@ -23,6 +24,8 @@ struct Gathered
   Point front; // where the ray has been gathered up to
   float at;    // its distance
   float next;  // distance of the next point of the lattice
+  bool isLost; // what is at the front, in the brick, is not known: the ray leapt
+  Brick brick;
 #ifdef FLATBLOCK_SAMPLE_LIMIT
   int samples;
   bool isCutOff;
@@ -71,13 +74,46 @@ Piece pieceWithoutHoles(Point front, Point back, float length)
   return pieceBetween(front, back, length);
 }
 
-// Gathers what lies in a brick, up to where the ray leaves it: up to the last point before, or also
-// the border where the ray comes to its end there. A piece whose error is too large is split.
-void gather(inout Gathered gathered, Ray ray, vec3 origin, Brick brick, float exit, bool endsThere)
+// A part of a ray within one brick.
+struct Stretch
+{
+  float entry;
+  float exit;
+  bool isVaried; // else only the piece that began before it is gathered,
+  bool isMatter; // and that only where something is seen
+  bool isToEnd;  // up to the exit, else to the last point before
+};
+
+bool hasPoint(Gathered gathered, Stretch stretch)
+{
+  return gathered.next < stretch.exit || (stretch.isToEnd && gathered.at < stretch.exit);
+}
+
+bool mustBeFound(Gathered gathered, Stretch stretch)
+{
+  return gathered.isLost && (stretch.isVaried || stretch.isMatter);
+}
+
+bool goesOn(Gathered gathered, Stretch stretch)
+{
+  return !isAtEnd(gathered) && !gathered.isLost && hasPoint(gathered, stretch) &&
+    (stretch.isVaried || gathered.at < stretch.entry);
+}
+
+// Point after point. A piece whose error is too large is split.
+void gather(inout Gathered gathered, Ray ray, vec3 origin, Brick brick, Stretch stretch)
 {
   const float LeastPart = 1.0 / 1024.0;
-  float target = exit;
-  while (!isAtEnd(gathered) && (gathered.next < exit || (endsThere && gathered.at < exit)))
+  while (mustBeFound(gathered, stretch))
+  {
+    gathered.front = pointAt(gathered.brick, origin + gathered.at * ray.direction);
+    gathered.isLost = false;
+#ifdef FLATBLOCK_SAMPLE_LIMIT
+    ++gathered.samples;
+#endif
+  }
+  float target = stretch.exit;
+  while (goesOn(gathered, stretch))
   {
 #ifdef FLATBLOCK_SAMPLE_LIMIT
     gathered.isCutOff = ++gathered.samples > in_MaximumNumberOfSamples;
@@ -86,11 +122,10 @@ void gather(inout Gathered gathered, Ray ray, vec3 origin, Brick brick, float ex
       break;
     }
 #endif
-    target = min(target, min(gathered.next, exit));
+    target = min(target, min(gathered.next, stretch.exit));
     Point back = pointAt(brick, origin + target * ray.direction);
     float advance = target - gathered.at;
-    Piece piece =
-      pieceWithoutHoles(gathered.front, back, max(advance, 0.0) * ray.unit * in_StepLength);
+    Piece piece = pieceWithoutHoles(gathered.front, back, advance * ray.unit * in_StepLength);
     // Far along a ray a part may be too small to be told from nothing: then the piece is taken as it is.
     float nearer = gathered.at + smallerPart(piece.error) * advance;
     bool isDivisible = advance > LeastPart && nearer > gathered.at && nearer < target;
@@ -103,67 +138,93 @@ void gather(inout Gathered gathered, Ray ray, vec3 origin, Brick brick, float ex
       gathered.color = composite(gathered.color, piece.color);
       gathered.front = back;
       gathered.at = target;
-      gathered.next += target >= gathered.next ? brick.step : 0.0;
-      target = exit;
+      float following = (floor(gathered.next / brick.step) + 1.0) * brick.step;
+      gathered.next = target >= gathered.next ? following : gathered.next;
+      target = stretch.exit;
     }
   }
 }
 
+// Over what looks all the same, in one piece, to the last point.
+void leap(inout Gathered gathered, Ray ray, Brick brick, Stretch stretch)
+{
+#ifdef FLATBLOCK_SKIPPING
+  float last = max(gathered.next, (ceil(stretch.exit / brick.step) - 1.0) * brick.step);
+  last = stretch.isToEnd ? stretch.exit : last;
+  if (!stretch.isVaried && hasPoint(gathered, stretch) && last > gathered.at)
+  {
+    float length = stretch.isMatter ? last - gathered.at : 0.0;
+    vec4 layer = layerOf(gathered.front.matter, length * ray.unit * in_StepLength);
+    gathered.color = composite(gathered.color, layer);
+    gathered.at = last;
+    gathered.next = last + brick.step; // the lattice has one, or the ray ends here
+    gathered.isLost = true;
+    gathered.brick = brick;
+  }
+#endif
+}
+
 // Points lie on a lattice of steps that begins where the ray begins, whatever blocks they fall into;
 // a coarser block has every second one, and so on. So neither block borders nor levels leave a
-// trace. Only where a transparent block begins or ends is there a point at its border.
+// trace, nor does a leap: it ends at the last point of the lattice before what varies. Only where a
+// block that is not there begins or ends is there a point at its border.
 Gathered march(Ray ray)
 {
   float phase = phaseOfRay();
   vec3 origin = ray.origin + (ray.begin - phase) * ray.direction;
   float end = ray.end - ray.begin + phase;
-  BlockWalk walk = enterBlocks(ray);
-  Brick brick = fetchBrick(walk.block);
+  Walk walk = enterCubes(ray);
+  Brick brick = fetchBrick(blockOf(walk));
   bool wasResident = false;
 
   Gathered gathered;
   gathered.color = vec4(0.0);
+  gathered.front = noPoint();
   gathered.at = phase;
+  gathered.next = phase;
+  gathered.isLost = true;
+  gathered.brick = brick;
 #ifdef FLATBLOCK_SAMPLE_LIMIT
-  gathered.samples = 1;
+  gathered.samples = 0;
   gathered.isCutOff = false;
 #endif
-  float entry = phase;
-  float lastStep = brick.step;
-  while (!isAtEnd(gathered))
+  Stretch stretch;
+  stretch.entry = phase;
+  bool isInside = true;
+  while (isInside && !isAtEnd(gathered))
   {
     if (brick.resident)
     {
+      float first = ceil(stretch.entry / brick.step) * brick.step;
       if (!wasResident)
       {
-        gathered.front = pointAt(brick, origin + entry * ray.direction);
-        gathered.at = entry;
-        lastStep = brick.step;
+        gathered.isLost = true;
+        gathered.brick = brick;
+        gathered.at = stretch.entry;
+        gathered.next = first + brick.step;
       }
-      float step = min(brick.step, lastStep);
-      gathered.next = ceil(entry / step) * step;
-      gathered.next += gathered.next > gathered.at ? 0.0 : step;
+      gathered.next = min(gathered.next, first > gathered.at ? first : first + brick.step);
     }
-    float exit = min(distanceToBorder(walk) - ray.begin + phase, end);
+    vec3 borders = distancesToBorders(walk, ray);
+    stretch.exit = min(nearestOf(borders) - ray.begin + phase, end);
+    stretch.isVaried = !walk.isPlain;
+    stretch.isMatter = walk.isMatter;
     Brick beyond = brick;
     beyond.resident = false;
-    bool goesOn = exit < end && crossBorder(walk);
-    if (goesOn)
+    isInside = stretch.exit < end && crossBorder(walk, ray, borders);
+    if (isInside)
     {
-      beyond = fetchBrick(walk.block);
+      beyond = fetchBrick(blockOf(walk));
     }
     if (brick.resident)
     {
-      gather(gathered, ray, origin, brick, exit, !beyond.resident);
-    }
-    if (!goesOn)
-    {
-      break;
+      stretch.isToEnd = !beyond.resident;
+      gather(gathered, ray, origin, brick, stretch);
+      leap(gathered, ray, brick, stretch);
     }
     wasResident = brick.resident;
-    lastStep = brick.step;
     brick = beyond;
-    entry = exit;
+    stretch.entry = stretch.exit;
   }
   return gathered;
 }

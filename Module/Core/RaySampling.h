@@ -18,6 +18,7 @@ struct RaySampling
   double PixelsPerRay = 1.0; ///< along both axes of the picture
   bool Jittering = false;
   bool Adaptive = true;       ///< the step doubles a level
+  int CellsPerCube = 0;       ///< along a side, of the map of leaps; 0: there is none
   int MostSamples = 0;        ///< of a ray; 0: no limit
   double RayStart = 0.0;      ///< in world units from the eye, or the near plane
   double EnoughOpacity = 1.0; ///< at which a ray ends

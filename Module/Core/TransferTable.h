@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace flatblock
@@ -29,13 +30,29 @@ public:
   /// and there is no value. O(1), by differences of a running count.
   bool IsTransparent(double lowest, double highest) const;
 
+  /// What the values of an interval look like: nothing, all the same, or neither.
+  enum class Kind : std::uint8_t
+  {
+    Varying,
+    Transparent,
+    Constant
+  };
+  Kind GetKind(double lowest, double highest) const;
+
 private:
+  struct Interval
+  {
+    std::size_t Begin;
+    std::size_t End;
+  };
   double GetPosition(double value) const;
+  Interval FindEntries(double lowest, double highest) const;
 
   double Lowest = 0.0;
   double Highest = 0.0;
   std::vector<Entry> Entries;
   std::vector<std::size_t> VisibleBefore; ///< entries [0, i) with extinction above zero
+  std::vector<std::size_t> ChangesBefore; ///< entries [0, i) that differ from the one before
 };
 
 /// What is opaque has this extinction: a sixteenth of the unit of length lets nothing through.

@@ -58,6 +58,7 @@ TEST(ExtremeLayers, EarlyTerminationLeavesOutNoMoreThanItSays)
 {
   Scene scene;
   ShowLayers(scene);
+  scene.Mapper->HomogeneousLeapsOff(); // which leave nothing out of a layer
   scene.Property->SetScalarOpacityUnitDistance(0.1);
   scene.Mapper->SetEarlyTerminationThreshold(1.0);
   const auto whole = DrawFloats(scene);

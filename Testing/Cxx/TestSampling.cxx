@@ -186,6 +186,7 @@ TEST(Sampling, LimitsOfSamplesAreCounted)
 {
   Scene scene;
   ShowFog(scene);
+  scene.Mapper->HomogeneousLeapsOff(); // of the fog, which would be one sample
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   scene.LookFrom(0.0, 0.0, 1.0);
   const Picture whole = DrawFloats(scene);

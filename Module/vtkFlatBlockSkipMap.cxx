@@ -1,0 +1,93 @@
+#include "vtkFlatBlockSkipMap.h"
+
+#include "vtkFlatBlockBuilder.h"
+#include "vtkFlatBlockTransferFunction.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkFlatBlockSkipMap);
+
+namespace
+{
+flatblock::Index3 CountCubes(const flatblock::BlockGrid& grid, int cells)
+{
+  return flatblock::BlockGrid(grid.GetSamples(), cells + 1).GetBlocks();
+}
+
+std::vector<flatblock::SkipMap::Kind> Classify(const std::vector<flatblock::CellRange>& ranges,
+  const flatblock::CellScale& scale, const flatblock::TransferTable& table)
+{
+  using Kind = flatblock::SkipMap::Kind;
+  constexpr std::size_t WorthThreads = 100000;
+  constexpr Kind Kinds[] = { Kind::Varying, Kind::Transparent, Kind::Constant };
+  std::vector<Kind> kinds(ranges.size(), Kind::Transparent);
+#pragma omp parallel for if (ranges.size() > WorthThreads)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(ranges.size()); ++i)
+  {
+    const flatblock::CellRange& range = ranges[i];
+    if (!range.IsEmpty())
+    {
+      const auto kind = table.GetKind(scale.GetValue(range.Lowest), scale.GetValue(range.Highest));
+      kinds[i] = Kinds[static_cast<int>(kind)];
+    }
+  }
+  return kinds;
+}
+} // namespace
+
+vtkTypeInt64 vtkFlatBlockSkipMap::GetBytes(const flatblock::BlockGrid& grid, int cells)
+{
+  const flatblock::Index3 size = CountCubes(grid, cells);
+  return static_cast<vtkTypeInt64>(size[0]) * size[1] * size[2];
+}
+
+int vtkFlatBlockSkipMap::ChooseCells(
+  const flatblock::BlockGrid& grid, int fewest, vtkTypeInt64 mostBytes, int largestTexture)
+{
+  for (int cells = fewest; cells <= grid.GetCellsPerBlock(); cells *= 2)
+  {
+    const flatblock::Index3 size = CountCubes(grid, cells);
+    if (GetBytes(grid, cells) <= mostBytes &&
+        *std::max_element(size.begin(), size.end()) <= largestTexture)
+    {
+      return cells;
+    }
+  }
+  return 0;
+}
+
+void vtkFlatBlockSkipMap::Update(vtkFlatBlockBuilder* builder,
+  vtkFlatBlockTransferFunction* function, const std::vector<std::uint8_t>& visible, int cells,
+  int coarsest, bool areFiltered, bool skipsMatter)
+{
+  const flatblock::Coarsening coarsening = { std::max(1, (1 << coarsest) / cells),
+    areFiltered && coarsest > 0 };
+  if (std::max(builder->GetMTime(), function->GetMTime()) < this->GetMTime() &&
+      this->Cells == cells && this->Coarsening == coarsening && this->SkipsMatter == skipsMatter)
+  {
+    return;
+  }
+  const flatblock::BlockGrid& blocks = builder->GetSource().GetGrid();
+  const flatblock::CubeGrid grid = { CountCubes(blocks, cells), blocks.GetBlocks(),
+    blocks.GetCellsPerBlock() / cells };
+  std::vector<flatblock::SkipMap::Kind> kinds =
+    Classify(builder->GetCellRanges(cells), builder->GetCellScale(), function->GetTable());
+  if (!skipsMatter)
+  {
+    std::replace(kinds.begin(), kinds.end(), flatblock::SkipMap::Kind::Constant,
+      flatblock::SkipMap::Kind::Varying);
+  }
+  flatblock::CoarsenKinds(grid.Cubes, coarsening, kinds);
+  this->Map = flatblock::BuildSkipMap(grid, kinds, visible);
+  this->Cells = cells;
+  this->Coarsening = coarsening;
+  this->SkipsMatter = skipsMatter;
+  this->Modified();
+}
+
+void vtkFlatBlockSkipMap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Cells: " << this->Cells << "\n";
+}

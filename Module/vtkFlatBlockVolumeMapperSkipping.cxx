@@ -1,0 +1,53 @@
+#include "vtkFlatBlockVolumeMapperInternals.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+// What rays of vtkFlatBlockVolumeMapper leap over.
+
+vtkTypeInt64 vtkFlatBlockVolumeMapper::vtkInternals::GetSkipMapBytes() const
+{
+  return this->Sampling.CellsPerCube > 0
+           ? vtkFlatBlockSkipMap::GetBytes(
+               this->Builder->GetSource().GetGrid(), this->Sampling.CellsPerCube)
+           : 0;
+}
+
+void vtkFlatBlockVolumeMapper::vtkInternals::ChooseCubes(int skipping, vtkTypeInt64 memory)
+{
+  constexpr int FewestCells = 4;
+  constexpr vtkTypeInt64 ShareOfMemory = 64;
+  const flatblock::BlockGrid& grid = this->Builder->GetSource().GetGrid();
+  const int fewest =
+    skipping == vtkFlatBlockVolumeMapper::SKIP_CELLS ? FewestCells : grid.GetCellsPerBlock();
+  this->Sampling.CellsPerCube =
+    skipping == vtkFlatBlockVolumeMapper::SKIP_NOTHING
+      ? 0
+      : vtkFlatBlockSkipMap::ChooseCells(grid, fewest, memory / ShareOfMemory,
+          vtkOpenGLFlatBlockAtlas::GetLargestTexture(this->Window));
+}
+
+void vtkFlatBlockVolumeMapper::vtkInternals::UpdateSkipMap(bool areLevelsFiltered, bool leapsMatter)
+{
+  if (this->Sampling.CellsPerCube == 0)
+  {
+    return;
+  }
+  {
+    flatblock::StageTimer timer(this->Statistics.RangeMilliseconds);
+    const auto& levels = this->Residency.GetLevels();
+    const int coarsest = levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());
+    this->SkipMap->Update(this->Builder, this->TransferFunction, this->VisibleBlocks,
+      this->Sampling.CellsPerCube, std::max(coarsest, 0), areLevelsFiltered, leapsMatter);
+  }
+  if (!this->RayCaster->HasSkipMap() || this->SkipMap->GetMTime() > this->SkipTextureTime)
+  {
+    flatblock::StageTimer timer(this->Statistics.UploadMilliseconds);
+    if (!this->RayCaster->SetSkipMap(this->Window, this->SkipMap->Get(), this->Sampling))
+    {
+      this->Sampling.CellsPerCube = 0;
+      return;
+    }
+    this->SkipTextureTime.Modified();
+  }
+}

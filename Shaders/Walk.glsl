@@ -1,0 +1,109 @@
+// The walk of a ray from cube to cube of cells: blocks, or what the map of leaps has.
+
+#ifdef FLATBLOCK_SKIPPING
+uniform usampler3D in_SkipMap; // see lookAround()
+uniform int in_Cubes[3];       // an axis
+uniform int in_CellsPerCube;
+uniform int in_CubesPerBlock;  // along a side, as a power of two
+#endif
+
+// Kinds of cubes.
+const int Varying = 0;
+const int Constant = 2;
+const int Hidden = 3;
+
+struct Walk
+{
+  ivec3 cube;
+  ivec3 first;   // of the cubes around it that are of its kind, a box that the ray leaves at once
+  ivec3 last;
+  bool isPlain;  // what is in them looks all the same,
+  bool isMatter; // and is not transparent
+};
+
+int cellsPerCube()
+{
+#ifdef FLATBLOCK_SKIPPING
+  return in_CellsPerCube;
+#else
+  return in_CellsPerBlock;
+#endif
+}
+
+ivec3 cubesAnAxis()
+{
+#ifdef FLATBLOCK_SKIPPING
+  return ivec3(in_Cubes[0], in_Cubes[1], in_Cubes[2]);
+#else
+  return ivec3(in_Blocks[0], in_Blocks[1], in_Blocks[2]);
+#endif
+}
+
+ivec3 blockOf(Walk walk)
+{
+#ifdef FLATBLOCK_SKIPPING
+  return walk.cube >> in_CubesPerBlock;
+#else
+  return walk.cube;
+#endif
+}
+
+// A texel of the map: the kind of its cube, and how far that reaches: in cubes, within the block, but
+// for blocks without a brick, which are counted as a whole.
+void lookAround(inout Walk walk)
+{
+  walk.first = walk.cube;
+  walk.last = walk.cube;
+#ifdef FLATBLOCK_SKIPPING
+  int texel = int(texelFetch(in_SkipMap, walk.cube, 0).r);
+  int kind = texel >> 6;
+  ivec3 around = ivec3((texel & 63) - 1);
+  ivec3 block = blockOf(walk);
+  bool isHidden = kind == Hidden;
+  ivec3 firstBlock = isHidden ? block - around : block;
+  ivec3 lastBlock = isHidden ? block + around : block;
+  ivec3 first = firstBlock << in_CubesPerBlock;
+  ivec3 last = ((lastBlock + 1) << in_CubesPerBlock) - 1;
+  walk.first = isHidden ? first : max(walk.cube - around, first);
+  walk.last = isHidden ? last : min(walk.cube + around, last);
+  walk.isPlain = kind != Varying;
+  walk.isMatter = kind == Constant;
+#endif
+}
+
+Walk enterCubes(Ray ray)
+{
+  vec3 entry = ray.origin + ray.begin * ray.direction;
+  Walk walk = Walk(ivec3(0), ivec3(0), ivec3(0), false, false);
+  walk.cube = clamp(ivec3(floor(entry / float(cellsPerCube()))), ivec3(0), cubesAnAxis() - 1);
+  lookAround(walk);
+  return walk;
+}
+
+// Distances along the ray to where it leaves the cubes around, for each axis.
+vec3 distancesToBorders(Walk walk, Ray ray)
+{
+  vec3 isUp = step(0.0, ray.direction);
+  vec3 borders = mix(vec3(walk.first), vec3(walk.last + 1), isUp);
+  return (borders * float(cellsPerCube()) - ray.origin) / ray.direction;
+}
+
+float nearestOf(vec3 distances)
+{
+  return min(distances.x, min(distances.y, distances.z));
+}
+
+// Steps over the nearest border; false where the grid ends. Along its axis that is exact; along the
+// others the ray is where it is, within the box.
+bool crossBorder(inout Walk walk, Ray ray, vec3 borders)
+{
+  int axis = borders.x <= borders.y && borders.x <= borders.z ? 0 : (borders.y <= borders.z ? 1 : 2);
+  vec3 position = ray.origin + borders[axis] * ray.direction;
+  ivec3 last = cubesAnAxis() - 1;
+  ivec3 cube = clamp(ivec3(floor(position / float(cellsPerCube()))), walk.first, walk.last);
+  cube[axis] = ray.direction[axis] > 0.0 ? walk.last[axis] + 1 : walk.first[axis] - 1;
+  bool isInside = cube[axis] >= 0 && cube[axis] <= last[axis];
+  walk.cube = clamp(cube, ivec3(0), last);
+  lookAround(walk);
+  return isInside;
+}
