@@ -12,6 +12,7 @@
 #include "FlatBlockRayCasterFragmentGLSL.h"
 #include "FlatBlockRayCasterVertexGLSL.h"
 #include "FlatBlockRayGLSL.h"
+#include "FlatBlockShadingGLSL.h"
 #include "FlatBlockTransferTableGLSL.h"
 #include "FlatBlockWalkGLSL.h"
 
@@ -41,6 +42,7 @@ std::string GetDefines(const RaySampling& sampling, bool hasHoles, bool hasLongS
   define(hasLongSums, "FLATBLOCK_LONG_SUMS");
   define(sampling.CellsPerCube > 0, "FLATBLOCK_SKIPPING");
   define(sampling.Jittering, "FLATBLOCK_JITTERING");
+  define(sampling.IsShaded, "FLATBLOCK_SHADING");
   define(sampling.MostSamples > 0, "FLATBLOCK_SAMPLE_LIMIT");
   define(sampling.RayStart > 0.0, "FLATBLOCK_RAY_START");
   return defines;
@@ -59,6 +61,7 @@ vtkShaderProgram* ReadyRayCaster(
   insert("//FlatBlock::Walk", FlatBlockWalkGLSL);
   insert("//FlatBlock::TransferTable", FlatBlockTransferTableGLSL);
   insert("//FlatBlock::Classification", GetClassification(sampling.Method));
+  insert("//FlatBlock::Shading", sampling.IsShaded ? FlatBlockShadingGLSL : "");
   return window->GetShaderCache()->ReadyShaderProgram(
     FlatBlockRayCasterVertexGLSL, fragment.c_str(), "");
 }

@@ -24,4 +24,5 @@ void vtkFlatBlockRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
   const char* const skippings[] = { "Nothing", "Blocks", "Cells" };
   os << indent << "Skipping: " << skippings[this->Skipping] << "\n";
   os << indent << "HomogeneousLeaps: " << this->HomogeneousLeaps << "\n";
+  os << indent << "ShadingOpacityThreshold: " << this->ShadingOpacityThreshold << "\n";
 }

@@ -165,11 +165,22 @@ public:
   ///@{
   /**
    * Whether what Skipping looks at is also left in one leap where it is of one colour and opacity:
-   * with the opacity of its whole length. Default: on.
+   * with the opacity of its whole length. Default: on. Volumes that are shaded vary in light, so
+   * there it does nothing.
    */
   vtkSetMacro(HomogeneousLeaps, bool);
   vtkGetMacro(HomogeneousLeaps, bool);
   vtkBooleanMacro(HomogeneousLeaps, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Opacity, as far as it is seen, that a piece of a ray must have for its light to be computed
+   * where the property shades, from 0 to 1: below it the light of the piece before is taken.
+   * Default: 0, exact.
+   */
+  vtkSetClampMacro(ShadingOpacityThreshold, double, 0.0, 1.0);
+  vtkGetMacro(ShadingOpacityThreshold, double);
   ///@}
 
 protected:
@@ -190,6 +201,7 @@ protected:
   double EarlyTerminationThreshold = 1.0 - 1.0 / 255.0;
   int Skipping = SKIP_CELLS;
   bool HomogeneousLeaps = true;
+  double ShadingOpacityThreshold = 0.0;
 
 private:
   vtkFlatBlockRayCastMapper(const vtkFlatBlockRayCastMapper&) = delete;

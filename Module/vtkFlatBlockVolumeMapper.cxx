@@ -139,7 +139,6 @@ void vtkFlatBlockVolumeMapper::WarnAboutIgnoredSettings(vtkVolume* volume)
     }
   };
   vtkVolumeProperty* property = volume->GetProperty();
-  check(property->GetShade() != 0, "shading");
   check(
     property->HasGradientOpacity() && !property->GetDisableGradientOpacity(), "gradient opacity");
   check(property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D, "2D transfer functions");

@@ -17,7 +17,8 @@
  * at a corner are not drawn, all others are unharmed; a warning counts such values once.
  *
  * From vtkVolumeProperty: colour, scalar opacity, ScalarOpacityUnitDistance, interpolation (linear
- * or nearest) of the first component. Blending is composite. Shading, gradient opacity, 2D transfer
+ * or nearest) of the first component. Shading by the lights of the
+ * renderer with the property's material. Blending is composite. Gradient opacity, 2D transfer
  * functions, blanked points, cropping and clipping planes are not supported yet; a warning says so
  * where they are set. Hardware selection passes through the volume.
  *

@@ -47,7 +47,7 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   this->UpdateTransferTable(volume);
   in.ChooseCubes(this->Skipping, this->MaxMemoryInBytes);
   this->UpdateAtlas(renderer, volume);
-  in.UpdateSkipMap(this->LevelFilter == TENT, this->HomogeneousLeaps);
+  in.UpdateSkipMap(this->LevelFilter == TENT, this->HomogeneousLeaps && !in.Sampling.IsShaded);
   this->DrawRays(renderer, volume);
 }
 
@@ -79,6 +79,7 @@ void vtkFlatBlockVolumeMapper::CastRays(vtkRenderer* renderer, vtkVolume* volume
   scene.Atlas = in.Atlas;
   scene.SampleToDataSet = in.Input.SampleToDataSet;
   scene.DataSetToWorld = volume->GetMatrix();
+  scene.Material = in.Property;
   scene.LinearInterpolation =
     volume->GetProperty()->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
   scene.HasHoles = in.Builder->GetNumberOfNonFiniteSamples() > 0;

@@ -69,6 +69,8 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   }
   sampling.Jittering = this->UseJittering;
   sampling.Adaptive = this->AdaptiveSampling;
+  sampling.IsShaded = volume->GetProperty()->GetShade() != 0;
+  sampling.ShadingThreshold = this->ShadingOpacityThreshold;
   sampling.MostSamples = this->MaximumNumberOfSamples;
   sampling.RayStart = this->RayStartOffset;
   sampling.EnoughOpacity = this->EarlyTerminationThreshold;

@@ -2,6 +2,7 @@
 
 #include "vtkOpenGLFlatBlockRayCaster.h"
 
+#include "FlatBlockLighting.h"
 #include "FlatBlockRayCasterProgram.h"
 #include "FlatBlockRayGeometry.h"
 #include "RaySight.h"
@@ -129,9 +130,13 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
   this->SetRays(renderer, program, scene);
   this->SetBlocks(program, scene);
   this->TransferTable->Activate(program, scene.Source->GetEncoding());
-  if (scene.Sampling.RayStart > 0.0)
+  if (scene.Sampling.RayStart > 0.0 || scene.Sampling.IsShaded)
   {
     flatblock::SetDirections(program, "in_SampleToWorld", sampleToWorld, 1.0);
+  }
+  if (scene.Sampling.IsShaded)
+  {
+    flatblock::SetLighting(renderer, program, scene.Material, sampleToWorld);
   }
 
   Cover cover = Cover::Box;
@@ -184,6 +189,11 @@ void vtkOpenGLFlatBlockRayCaster::SetRays(
   program->SetUniformf("in_StepLength", static_cast<float>(sampling.Step / sampling.UnitOfLength));
   program->SetUniformf("in_EnoughOpacity", static_cast<float>(sampling.EnoughOpacity));
   program->SetUniformf("in_AdaptiveSampling", sampling.Adaptive ? 1.0F : 0.0F);
+  if (sampling.IsShaded)
+  {
+    program->SetUniformf(
+      "in_ShadingOpacityThreshold", static_cast<float>(sampling.ShadingThreshold));
+  }
   if (sampling.MostSamples > 0)
   {
     program->SetUniformi("in_MaximumNumberOfSamples", sampling.MostSamples);

@@ -25,6 +25,7 @@ class vtkOpenGLState;
 class vtkRenderer;
 class vtkShaderProgram;
 class vtkTextureObject;
+class vtkVolumeProperty;
 class vtkWindow;
 
 class vtkOpenGLFlatBlockRayCaster : public vtkObject
@@ -43,6 +44,7 @@ public:
     vtkOpenGLFlatBlockAtlas* Atlas;
     vtkMatrix4x4* SampleToDataSet; ///< spacing, origin and direction
     vtkMatrix4x4* DataSetToWorld;  ///< the prop's matrix
+    vtkVolumeProperty* Material;   ///< where the sampling is shaded
     bool LinearInterpolation;      ///< nearest sample otherwise
     bool HasHoles;                 ///< cells with a corner that is not finite
     flatblock::RaySampling Sampling;

@@ -14,8 +14,10 @@ uniform sampler2D in_SceneDepth; // of the opaque geometry, over the viewport
 uniform ivec2 in_ViewportOrigin;
 uniform vec2 in_ViewportSize;
 uniform vec2 in_PixelsPerRay;
-#ifdef FLATBLOCK_RAY_START
+#if defined(FLATBLOCK_RAY_START) || defined(FLATBLOCK_SHADING)
 uniform mat3 in_SampleToWorld;
+#endif
+#ifdef FLATBLOCK_RAY_START
 uniform float in_RayStart; // in world units from the eye, or in parallel projection the near plane
 #endif
 

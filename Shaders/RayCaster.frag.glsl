@@ -11,6 +11,7 @@
 //FlatBlock::Walk
 //FlatBlock::TransferTable
 //FlatBlock::Classification
+//FlatBlock::Shading
 
 uniform float in_EnoughOpacity; // a ray that has gathered this much ends
 uniform float in_StepLength;    // in the smallest spacing
@@ -26,6 +27,9 @@ struct Gathered
   float next;  // distance of the next point of the lattice
   bool isLost; // what is at the front, in the brick, is not known: the ray leapt
   Brick brick;
+#ifdef FLATBLOCK_SHADING
+  Light light;
+#endif
 #ifdef FLATBLOCK_SAMPLE_LIMIT
   int samples;
   bool isCutOff;
@@ -135,6 +139,11 @@ void gather(inout Gathered gathered, Ray ray, vec3 origin, Brick brick, Stretch 
     }
     else
     {
+#ifdef FLATBLOCK_SHADING
+      vec3 middle = origin + 0.5 * (gathered.at + target) * ray.direction;
+      vec3 view = -normalize(in_SampleToWorld * ray.direction);
+      shade(piece.color, gathered.light, 1.0 - gathered.color.a, brick, middle, view);
+#endif
       gathered.color = composite(gathered.color, piece.color);
       gathered.front = back;
       gathered.at = target;
@@ -184,6 +193,9 @@ Gathered march(Ray ray)
   gathered.next = phase;
   gathered.isLost = true;
   gathered.brick = brick;
+#ifdef FLATBLOCK_SHADING
+  gathered.light = firstLight();
+#endif
 #ifdef FLATBLOCK_SAMPLE_LIMIT
   gathered.samples = 0;
   gathered.isCutOff = false;

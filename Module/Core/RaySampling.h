@@ -19,6 +19,8 @@ struct RaySampling
   bool Jittering = false;
   bool Adaptive = true;       ///< the step doubles a level
   int CellsPerCube = 0;       ///< along a side, of the map of leaps; 0: there is none
+  bool IsShaded = false;
+  double ShadingThreshold = 0.0; ///< opacity that a piece must be seen with to be lit anew
   int MostSamples = 0;        ///< of a ray; 0: no limit
   double RayStart = 0.0;      ///< in world units from the eye, or the near plane
   double EnoughOpacity = 1.0; ///< at which a ray ends

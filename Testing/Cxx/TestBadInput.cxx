@@ -257,8 +257,8 @@ TEST(BadInput, IgnoredSettingsAreNamedOnce)
   scene.SetRamp(20.0, 240.0, 0.3);
   scene.LookFrom(33.0, 21.0);
   const auto before = scene.Draw();
-  scene.Property->ShadeOn();
   scene.Mapper->CroppingOn();
+  scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
   const Messages messages = Listen(
     [&]
     {
@@ -266,7 +266,7 @@ TEST(BadInput, IgnoredSettingsAreNamedOnce)
       EXPECT_EQ(LargestDifference(before, scene.Draw()), 0.0);
     });
   ASSERT_EQ(messages.Warnings.size(), 1U);
-  EXPECT_NE(messages.Warnings[0].find("shading, cropping"), std::string::npos);
+  EXPECT_NE(messages.Warnings[0].find("2D transfer functions, cropping"), std::string::npos);
 }
 
 TEST(BadInput, StepTooSmallIsLengthened)

@@ -1,5 +1,7 @@
 #include "FloatPicture.h"
 
+#include "ReferenceShading.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkMatrix4x4.h"
@@ -182,7 +184,15 @@ Picture DrawReference(Scene& scene, int stride, ReferenceFilter filter)
   ReferenceVolume volume = ReadVolume(image);
   const ReferenceTable table =
     SampleProperty(scene.Property, GetFiniteRange(volume.Values), GetSmallestSpacing(image));
-  return ReferenceRayCaster(std::move(volume), table, filter).Render(GetView(scene, image), stride);
+  const ReferenceView view = GetView(scene, image);
+  vtkVolumeProperty* property = scene.Property;
+  if (property->GetShade() != 0)
+  {
+    const ReferenceMaterial material = { property->GetAmbient(), property->GetDiffuse(),
+      property->GetSpecular(), property->GetSpecularPower() };
+    return ReferenceShading(std::move(volume), table, material).Render(view, stride);
+  }
+  return ReferenceRayCaster(std::move(volume), table, filter).Render(view, stride);
 }
 
 Picture TakeEvery(const Picture& picture, int width, int stride)

@@ -34,7 +34,8 @@ private:
 /// The scene's volume alone, over nothing: premultiplied colour, and opacity.
 Picture DrawFloats(Scene& scene);
 
-/// The same by the reference, every `stride`-th pixel of every `stride`-th row.
+/// The same by the reference, every `stride`-th pixel of every `stride`-th row. Where the property
+/// shades that is trilinear, by a headlight.
 Picture DrawReference(
   Scene& scene, int stride = 1, ReferenceFilter filter = ReferenceFilter::Trilinear);
 

@@ -1,5 +1,7 @@
 #include "ReferenceRayCaster.h"
 
+#include "ReferenceRays.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,93 +13,6 @@ namespace flatblock::testing
 {
 namespace
 {
-using Point = std::array<long double, 3>;
-
-struct Plane
-{
-  Point Normal;
-  long double Offset; // Normal . p + Offset = 0
-};
-
-Point Cross(const Point& a, const Point& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-long double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-// Row `row` of the matrix plus `factor` times its last row.
-Plane MakePlane(const std::array<double, 16>& matrix, int row, long double factor)
-{
-  std::array<long double, 4> sums;
-  for (int i = 0; i < 4; ++i)
-  {
-    sums[i] = matrix[4 * row + i] + factor * matrix[12 + i];
-  }
-  return { { sums[0], sums[1], sums[2] }, sums[3] };
-}
-
-// A ray is where the planes of its x and its y meet, so the far plane does not matter, and nor does
-// how far away it is. It runs to where the near plane's side is inside.
-std::pair<Point, Point> MakeRay(const ReferenceView& view, int x, int y)
-{
-  const Plane a = MakePlane(view.SampleToClip, 0, 1.0L - (2.0L * x + 1.0L) / view.Width);
-  const Plane b = MakePlane(view.SampleToClip, 1, 1.0L - (2.0L * y + 1.0L) / view.Height);
-  const Plane front = MakePlane(view.SampleToClip, 2, 1.0L);
-  Point direction = Cross(a.Normal, b.Normal);
-  const Point bFront = Cross(b.Normal, front.Normal);
-  const Point frontA = Cross(front.Normal, a.Normal);
-  const long double determinant = Dot(direction, front.Normal);
-  Point origin;
-  for (int i = 0; i < 3; ++i)
-  {
-    origin[i] =
-      -(a.Offset * bFront[i] + b.Offset * frontA[i] + front.Offset * direction[i]) / determinant;
-  }
-  for (long double& component : direction)
-  {
-    component = determinant < 0.0L ? -component : component;
-  }
-  return { origin, direction };
-}
-
-// Cuts [first, last] of a line's parameter to what is in the box. False where that is nothing.
-bool Clip(const std::array<int, 3>& samples, const Point& origin, const Point& direction,
-  long double& first, long double& last)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    const long double low = -origin[i];
-    const long double high = static_cast<long double>(samples[i] - 1) - origin[i];
-    if (direction[i] == 0.0L && (low > 0.0L || high < 0.0L))
-    {
-      return false;
-    }
-    if (direction[i] != 0.0L)
-    {
-      first = std::max(first, std::min(low / direction[i], high / direction[i]));
-      last = std::min(last, std::max(low / direction[i], high / direction[i]));
-    }
-  }
-  return first < last;
-}
-
-// The point of a line at a parameter, inside the box in spite of rounding.
-std::array<double, 3> GetPoint(const std::array<int, 3>& samples, const Point& origin,
-  const Point& direction, long double parameter)
-{
-  std::array<double, 3> point;
-  for (int i = 0; i < 3; ++i)
-  {
-    const auto coordinate = static_cast<double>(origin[i] + parameter * direction[i]);
-    point[i] = std::clamp(coordinate, 0.0, samples[i] - 1.0);
-  }
-  return point;
-}
-
 // The weights of the samples in the Bernstein coefficients of one axis's spline over [a, b] of a
 // cell: its blossom, by de Boor's recursion over uniform knots.
 std::array<std::array<double, 4>, 4> GetWeights(int degree, double a, double b)
@@ -140,21 +55,6 @@ void Contract(
     }
   }
   values = result;
-}
-
-double GetLength(const std::array<double, 9>& sampleToLength, const std::array<double, 3>& way)
-{
-  double square = 0.0;
-  for (int row = 0; row < 3; ++row)
-  {
-    double component = 0.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      component += sampleToLength[3 * row + i] * way[i];
-    }
-    square += component * component;
-  }
-  return std::sqrt(square);
 }
 
 // Where a ray meets the faces of cells, its ends among them, as shares of the way.
@@ -298,8 +198,8 @@ std::array<double, 4> ReferenceRayCaster::IntegrateInside(const std::array<doubl
 std::array<double, 4> ReferenceRayCaster::Integrate(const std::array<double, 3>& from,
   const std::array<double, 3>& to, const std::array<double, 9>& sampleToLength) const
 {
-  Point origin;
-  Point direction;
+  LongPoint origin;
+  LongPoint direction;
   for (int i = 0; i < 3; ++i)
   {
     origin[i] = from[i];
@@ -327,7 +227,8 @@ std::vector<std::array<double, 4>> ReferenceRayCaster::Render(
   {
     for (int column = 0; column < columns; ++column)
     {
-      const auto [origin, direction] = MakeRay(view, column * pixelStride, row * pixelStride);
+      const auto [origin, direction] =
+        MakeReferenceRay(view, column * pixelStride, row * pixelStride);
       long double first = 0.0L;
       long double last = std::numeric_limits<long double>::infinity();
       if (Clip(n, origin, direction, first, last))

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ReferencePieces.h"
+#include "ReferenceRays.h"
 
 #include <array>
 #include <vector>
@@ -24,17 +25,6 @@ enum class ReferenceFilter
 {
   Trilinear,
   CubicBSpline
-};
-
-/// Matrices are row-major. SampleToClip takes homogeneous sample coordinates to OpenGL's clip
-/// coordinates, with w > 0 before the eye; SampleToLength takes a direction in samples to a vector
-/// in units of length. Pixels count from the lower left.
-struct ReferenceView
-{
-  std::array<double, 16> SampleToClip = {};
-  std::array<double, 9> SampleToLength = {};
-  int Width = 0;
-  int Height = 0;
 };
 
 /// Emission and absorption along rays: C = int c(s) tau(s) exp(-int_0^s tau) ds and

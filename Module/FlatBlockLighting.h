@@ -1,0 +1,16 @@
+/// The lights of a renderer on the material of a volume: the uniforms of Shading.glsl.
+#pragma once
+
+class vtkMatrix4x4;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkVolumeProperty;
+
+namespace flatblock
+{
+/// At most six lights that are switched on, as vtkGPUVolumeRayCastMapper has them. One with a
+/// position counts as far away, in its own direction. Ambient light is that of the lights, but a
+/// headlight alone is taken to have a white one, whatever it says.
+void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProperty* material,
+  vtkMatrix4x4* sampleToWorld);
+} // namespace flatblock

@@ -1,0 +1,141 @@
+// The light of shaded volumes.
+#include "FloatPicture.h"
+#include "Volumes.h"
+
+#include "vtkLight.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace flatblock::testing;
+
+namespace
+{
+using Mapper = vtkFlatBlockVolumeMapper;
+
+double WavesAt(int x, int y, int z)
+{
+  return 500.0 + 150.0 * (std::sin(0.21 * x) + std::cos(0.17 * y - 0.12 * x) + std::sin(0.19 * z));
+}
+
+void Show(Scene& scene)
+{
+  const auto image = MakeVolume({ 50, 46, 54 }, VTK_FLOAT, WavesAt);
+  image->SetSpacing(1.0, 1.2, 0.9);
+  scene.SetVolume(image, 0.25);
+  scene.SetOpacity({ { 550.0, 0.0 }, { 650.0, 0.5 } });
+  scene.SetColor({ { 500.0, 0.8, 0.3, 0.2 }, { 700.0, 0.9, 0.9, 0.7 } });
+  scene.Mapper->SetBlockSize(17);
+  scene.Property->ShadeOn();
+  scene.Property->SetSpecular(0.3);
+  scene.Property->SetSpecularPower(20.0);
+  scene.LookFrom(30.0, 40.0, 1.3);
+}
+
+void AddSideLight(Scene& scene)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(400.0, 300.0, 100.0);
+  light->SetFocalPoint(20.0, 20.0, 20.0);
+  light->SetColor(1.0, 0.8, 0.4);
+  scene.Renderer->RemoveAllLights();
+  scene.Renderer->AddLight(light);
+}
+} // namespace
+
+class Shading : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(Shading, AgreesWithTheReference)
+{
+  Scene scene;
+  Show(scene);
+  scene.Mapper->SetClassification(GetParam());
+  constexpr int Stride = 8;
+  const Picture drawn = TakeEvery(DrawFloats(scene), scene.Window->GetSize()[0], Stride);
+  const Picture reference = DrawReference(scene, Stride);
+  const double error = RootMeanSquare(drawn, reference);
+  std::cout << "error: " << error << "\n";
+  // Colours that are interpolated are others.
+  EXPECT_LE(error, GetParam() == Mapper::PRE_INTERPOLATION ? 0.02 : 0.002);
+  EXPECT_GE(RootMeanSquare(reference, Picture(reference.size())), 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Classifications, Shading,
+  testing::Values(Mapper::PRE_INTEGRATED, Mapper::POST_INTERPOLATION, Mapper::PRE_INTERPOLATION));
+
+TEST(ShadingBy, TheHeadlight)
+{
+  Scene scene;
+  Show(scene);
+  EXPECT_GE(PSNR(scene.Draw(), scene.DrawWithPeer()), 38.0);
+}
+
+TEST(ShadingBy, ALightOfTheScene)
+{
+  Scene scene;
+  Show(scene);
+  AddSideLight(scene);
+  EXPECT_GE(PSNR(scene.Draw(), scene.DrawWithPeer()), 30.0); // VTK's highlights are Phong's here
+  EXPECT_TRUE(MatchesBaseline(scene.Window, "ShadedBySide"));
+}
+
+// A body in front of the light is lit, and what faces away is not.
+TEST(ShadingBy, OneSide)
+{
+  Scene scene;
+  Show(scene);
+  const auto twoSided = scene.Draw();
+  scene.Renderer->TwoSidedLightingOff();
+  const auto oneSided = scene.Draw();
+  EXPECT_GE(PSNR(oneSided, twoSided), 15.0);
+  EXPECT_LE(PSNR(oneSided, twoSided), 40.0);
+}
+
+// Gradients reach across the borders of blocks.
+TEST(ShadingBy, BlocksOfAnySide)
+{
+  Scene scene;
+  Show(scene);
+  const Picture small = DrawFloats(scene);
+  scene.Mapper->SetBlockSize(65);
+  EXPECT_LE(RootMeanSquare(DrawFloats(scene), small), 1e-3);
+}
+
+TEST(ShadingBy, ShadowsOfSkipping)
+{
+  Scene scene;
+  Show(scene);
+  const Picture leapt = DrawFloats(scene);
+  scene.Mapper->SetSkippingToNothing();
+  EXPECT_LE(LargestDifference(DrawFloats(scene), leapt), 1.0 / 255.0);
+}
+
+TEST(ShadingOpacityThreshold, IsTheErrorOfAPiece)
+{
+  Scene scene;
+  Show(scene);
+  scene.Mapper->SetShadingOpacityThreshold(1e-3);
+  const Picture fast = DrawFloats(scene);
+  scene.Mapper->SetShadingOpacityThreshold(0.0);
+  const Picture exact = DrawFloats(scene);
+  const double difference = LargestDifference(fast, exact);
+  EXPECT_LE(difference, 0.05); // of some fifty such pieces along a ray
+  EXPECT_GT(difference, 0.0);
+}
+
+TEST(ShadingOf, HolesAndCoarseLevelsIsSound)
+{
+  Scene scene;
+  Show(scene);
+  scene.SetVolume(
+    MakeVolume({ 50, 46, 54 }, VTK_FLOAT,
+      [](int x, int y, int z) { return x * y * z % 97 == 5 ? std::nan("") : WavesAt(x, y, z); }),
+    0.5);
+  scene.Mapper->SetMaxMemoryInBytes(400000);
+  EXPECT_TRUE(IsSound(DrawFloats(scene)));
+}
