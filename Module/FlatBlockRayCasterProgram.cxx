@@ -43,6 +43,7 @@ std::string GetDefines(const RaySampling& sampling, bool hasHoles, bool hasLongS
   define(sampling.CellsPerCube > 0, "FLATBLOCK_SKIPPING");
   define(sampling.Jittering, "FLATBLOCK_JITTERING");
   define(sampling.IsShaded, "FLATBLOCK_SHADING");
+  define(sampling.HasCounts(), "FLATBLOCK_COUNTING");
   define(sampling.MostSamples > 0, "FLATBLOCK_SAMPLE_LIMIT");
   define(sampling.RayStart > 0.0, "FLATBLOCK_RAY_START");
   return defines;

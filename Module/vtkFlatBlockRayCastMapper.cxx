@@ -24,5 +24,8 @@ void vtkFlatBlockRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
   const char* const skippings[] = { "Nothing", "Blocks", "Cells" };
   os << indent << "Skipping: " << skippings[this->Skipping] << "\n";
   os << indent << "HomogeneousLeaps: " << this->HomogeneousLeaps << "\n";
+  os << indent << "VariationTolerance: " << this->VariationTolerance << "\n";
+  os << indent << "Profiling: " << this->Profiling << "\n";
+  os << indent << "CountSamples: " << this->CountSamples << "\n";
   os << indent << "ShadingOpacityThreshold: " << this->ShadingOpacityThreshold << "\n";
 }

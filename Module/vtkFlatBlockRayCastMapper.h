@@ -175,12 +175,49 @@ public:
 
   ///@{
   /**
+   * The variation map's epsilon, in units of the scalars, from 0 on. Where all values of a cube
+   * that Skipping looks at, and of those around it, are no further apart, a ray takes two samples
+   * and leaps, with the matter of the second one over the whole length. So what is classified is
+   * off by at most this. Default: 0, exact. Needs Skipping.
+   */
+  vtkSetClampMacro(VariationTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(VariationTolerance, double);
+  ///@}
+
+  ///@{
+  /**
    * Opacity, as far as it is seen, that a piece of a ray must have for its light to be computed
    * where the property shades, from 0 to 1: below it the light of the piece before is taken.
    * Default: 0, exact.
    */
   vtkSetClampMacro(ShadingOpacityThreshold, double, 0.0, 1.0);
   vtkGetMacro(ShadingOpacityThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether frames tell by timer queries how long the graphics card took for the rays; each is
+   * waited for. GetGPUMilliseconds() is that of the last frame, -1 where there are no such queries,
+   * or where this is off, the default.
+   */
+  vtkSetMacro(Profiling, bool);
+  vtkGetMacro(Profiling, bool);
+  vtkBooleanMacro(Profiling, bool);
+  vtkGetMacro(GPUMilliseconds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether rays count, in a shader of their own: GetSamplesPerRay() are the points that were
+   * classified, GetFetchesPerRay() the texels or filtered values that were read from textures,
+   * means over the rays of the last frame that met the volume's box; 0 where this is off, the
+   * default.
+   */
+  vtkSetMacro(CountSamples, bool);
+  vtkGetMacro(CountSamples, bool);
+  vtkBooleanMacro(CountSamples, bool);
+  vtkGetMacro(SamplesPerRay, double);
+  vtkGetMacro(FetchesPerRay, double);
   ///@}
 
 protected:
@@ -201,7 +238,13 @@ protected:
   double EarlyTerminationThreshold = 1.0 - 1.0 / 255.0;
   int Skipping = SKIP_CELLS;
   bool HomogeneousLeaps = true;
+  double VariationTolerance = 0.0;
   double ShadingOpacityThreshold = 0.0;
+  bool Profiling = false;
+  bool CountSamples = false;
+  double GPUMilliseconds = -1.0;
+  double SamplesPerRay = 0.0;
+  double FetchesPerRay = 0.0;
 
 private:
   vtkFlatBlockRayCastMapper(const vtkFlatBlockRayCastMapper&) = delete;

@@ -1,10 +1,12 @@
 #include "vtkFlatBlockSkipMap.h"
 
+#include "VariationMap.h"
 #include "vtkFlatBlockBuilder.h"
 #include "vtkFlatBlockTransferFunction.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkFlatBlockSkipMap);
 
@@ -58,36 +60,64 @@ int vtkFlatBlockSkipMap::ChooseCells(
 }
 
 void vtkFlatBlockSkipMap::Update(vtkFlatBlockBuilder* builder,
-  vtkFlatBlockTransferFunction* function, const std::vector<std::uint8_t>& visible, int cells,
-  int coarsest, bool areFiltered, bool skipsMatter)
+  vtkFlatBlockTransferFunction* function, const std::vector<std::uint8_t>& visible,
+  const Settings& settings)
 {
-  const flatblock::Coarsening coarsening = { std::max(1, (1 << coarsest) / cells),
-    areFiltered && coarsest > 0 };
   if (std::max(builder->GetMTime(), function->GetMTime()) < this->GetMTime() &&
-      this->Cells == cells && this->Coarsening == coarsening && this->SkipsMatter == skipsMatter)
+      this->Used == settings)
   {
     return;
   }
+  const int cells = settings.Cells;
+  const flatblock::Coarsening coarsening = { std::max(1, (1 << settings.Coarsest) / cells),
+    settings.IsFiltered && settings.Coarsest > 0 };
   const flatblock::BlockGrid& blocks = builder->GetSource().GetGrid();
   const flatblock::CubeGrid grid = { CountCubes(blocks, cells), blocks.GetBlocks(),
     blocks.GetCellsPerBlock() / cells };
   std::vector<flatblock::SkipMap::Kind> kinds =
     Classify(builder->GetCellRanges(cells), builder->GetCellScale(), function->GetTable());
-  if (!skipsMatter)
+  if (!settings.LeapsMatter)
   {
     std::replace(kinds.begin(), kinds.end(), flatblock::SkipMap::Kind::Constant,
       flatblock::SkipMap::Kind::Varying);
   }
   flatblock::CoarsenKinds(grid.Cubes, coarsening, kinds);
-  this->Map = flatblock::BuildSkipMap(grid, kinds, visible);
-  this->Cells = cells;
-  this->Coarsening = coarsening;
-  this->SkipsMatter = skipsMatter;
+  this->UpdateReach(builder, settings, grid, coarsening);
+  this->Map = flatblock::BuildSkipMap(grid, kinds, visible, this->Reach);
+  this->Used = settings;
   this->Modified();
+}
+
+// It does not depend on the transfer function.
+void vtkFlatBlockSkipMap::UpdateReach(vtkFlatBlockBuilder* builder, const Settings& settings,
+  const flatblock::CubeGrid& grid, const flatblock::Coarsening& coarsening)
+{
+  if (settings.Tolerance <= 0.0)
+  {
+    this->Reach.clear();
+    return;
+  }
+  if (!this->Reach.empty() && builder->GetMTime() < this->ReachTime && this->ReachUsed == settings)
+  {
+    return;
+  }
+  const std::vector<flatblock::CellRange>& cells = builder->GetCellRanges(settings.Cells);
+  std::vector<flatblock::CubeRange> ranges(cells.size());
+  std::transform(cells.begin(), cells.end(), ranges.begin(),
+    [](const flatblock::CellRange& range) -> flatblock::CubeRange {
+      return { range.Lowest, range.Highest };
+    });
+  flatblock::CoarsenRanges(grid.Cubes, coarsening, ranges);
+  const double steps = settings.Tolerance / builder->GetCellScale().Step;
+  this->Reach = flatblock::MeasureVariation(
+    grid, ranges, static_cast<int>(std::min(std::floor(steps), 65535.0)));
+  this->ReachUsed = settings;
+  this->ReachTime.Modified();
 }
 
 void vtkFlatBlockSkipMap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Cells: " << this->Cells << "\n";
+  os << indent << "Cells: " << this->Used.Cells << "\n";
+  os << indent << "Tolerance: " << this->Used.Tolerance << "\n";
 }

@@ -30,19 +30,29 @@ public:
     const flatblock::BlockGrid& grid, int fewest, vtkTypeInt64 mostBytes, int largestTexture);
   static vtkTypeInt64 GetBytes(const flatblock::BlockGrid& grid, int cells);
 
+  struct Settings
+  {
+    int Cells = 4;           ///< of a cube's side, as above
+    int Coarsest = 0;        ///< level of detail that a brick has
+    bool IsFiltered = false; ///< levels are means, not samples at a stride
+    bool LeapsMatter = true; ///< what is the same all over a cube is one leap
+    double Tolerance = 0.0;  ///< values that are no further apart count as the same
+
+    bool operator==(const Settings& other) const
+    {
+      return this->Cells == other.Cells && this->Coarsest == other.Coarsest &&
+             this->IsFiltered == other.IsFiltered && this->LeapsMatter == other.LeapsMatter &&
+             this->Tolerance == other.Tolerance;
+    }
+  };
+
   /**
-   * @param visible       of all blocks, 0: it has no brick; follows from the two before
-   * @param cells         of a cube's side, as above, not 0
-   * @param coarsest      level of detail that a brick has
-   * @param areFiltered   levels are means, not samples at a stride
-   * @param skipsMatter   whether what is the same all over a cube is one leap
+   * @param visible  of all blocks, 0: it has no brick; follows from the two before
    */
   void Update(vtkFlatBlockBuilder* builder, vtkFlatBlockTransferFunction* function,
-    const std::vector<std::uint8_t>& visible, int cells, int coarsest, bool areFiltered,
-    bool skipsMatter);
+    const std::vector<std::uint8_t>& visible, const Settings& settings);
 
   const flatblock::SkipMap& Get() const { return this->Map; }
-  vtkGetMacro(Cells, int);
 
 protected:
   vtkFlatBlockSkipMap() = default;
@@ -52,10 +62,14 @@ private:
   vtkFlatBlockSkipMap(const vtkFlatBlockSkipMap&) = delete;
   void operator=(const vtkFlatBlockSkipMap&) = delete;
 
+  void UpdateReach(vtkFlatBlockBuilder* builder, const Settings& settings,
+    const flatblock::CubeGrid& grid, const flatblock::Coarsening& coarsening);
+
   flatblock::SkipMap Map;
-  int Cells = 0;
-  flatblock::Coarsening Coarsening;
-  bool SkipsMatter = true;
+  Settings Used;
+  std::vector<std::uint8_t> Reach; // of cubes, within the tolerance
+  Settings ReachUsed;
+  vtkTimeStamp ReachTime;
 };
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderTimer.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -47,7 +48,11 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   this->UpdateTransferTable(volume);
   in.ChooseCubes(this->Skipping, this->MaxMemoryInBytes);
   this->UpdateAtlas(renderer, volume);
-  in.UpdateSkipMap(this->LevelFilter == TENT, this->HomogeneousLeaps && !in.Sampling.IsShaded);
+  vtkFlatBlockSkipMap::Settings settings;
+  settings.IsFiltered = this->LevelFilter == TENT;
+  settings.LeapsMatter = this->HomogeneousLeaps && !in.Sampling.IsShaded;
+  settings.Tolerance = this->VariationTolerance;
+  in.UpdateSkipMap(settings);
   this->DrawRays(renderer, volume);
 }
 
@@ -84,10 +89,28 @@ void vtkFlatBlockVolumeMapper::CastRays(vtkRenderer* renderer, vtkVolume* volume
     volume->GetProperty()->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
   scene.HasHoles = in.Builder->GetNumberOfNonFiniteSamples() > 0;
   scene.Sampling = in.Sampling;
+  vtkOpenGLRenderTimer timer;
+  this->GPUMilliseconds = -1.0;
+  const bool isTimed = this->Profiling && vtkOpenGLRenderTimer::IsSupported();
+  if (isTimed)
+  {
+    timer.Start();
+  }
   if (!in.RayCaster->Draw(renderer, scene))
   {
     throw std::runtime_error("The ray caster's shader could not be built.");
   }
+  if (isTimed)
+  {
+    timer.Stop();
+    vtkOpenGLFlatBlockRayCaster::Finish();
+    this->GPUMilliseconds = timer.GetElapsedMilliseconds();
+    timer.ReleaseGraphicsResources();
+  }
+  const flatblock::RayCounts& counts = in.RayCaster->GetCounts();
+  const bool isCounted = in.Sampling.HasCounts() && counts.Rays > 0;
+  this->SamplesPerRay = isCounted ? counts.Samples / static_cast<double>(counts.Rays) : 0.0;
+  this->FetchesPerRay = isCounted ? counts.Fetches / static_cast<double>(counts.Rays) : 0.0;
 }
 
 void vtkFlatBlockVolumeMapper::UpdateBlocks()

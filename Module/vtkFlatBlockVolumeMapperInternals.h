@@ -83,7 +83,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   void UpdateClassified();
   void UpdateTransmittance(const flatblock::VolumeView& view);
   void ChooseCubes(int skipping, vtkTypeInt64 memory);
-  void UpdateSkipMap(bool areLevelsFiltered, bool leapsMatter);
+  void UpdateSkipMap(vtkFlatBlockSkipMap::Settings settings);
   vtkTypeInt64 GetSkipMapBytes() const;
   flatblock::FramePlan PlanFrame(const flatblock::RefinementBudget* budget, bool continuity);
 

@@ -72,6 +72,7 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   sampling.IsShaded = volume->GetProperty()->GetShade() != 0;
   sampling.ShadingThreshold = this->ShadingOpacityThreshold;
   sampling.MostSamples = this->MaximumNumberOfSamples;
+  sampling.CountsSamples = this->CountSamples;
   sampling.RayStart = this->RayStartOffset;
   sampling.EnoughOpacity = this->EarlyTerminationThreshold;
 }
@@ -135,7 +136,7 @@ void vtkFlatBlockVolumeMapper::WarnAboutSamples()
 
 vtkTypeInt64 vtkFlatBlockVolumeMapper::GetNumberOfRaysCutOff() const
 {
-  return this->Internals->Sampling.MostSamples > 0 ? this->Internals->RayCaster->GetRaysCutOff()
+  return this->Internals->Sampling.MostSamples > 0 ? this->Internals->RayCaster->GetCounts().CutOff
                                                    : 0;
 }
 

@@ -27,7 +27,7 @@ void vtkFlatBlockVolumeMapper::vtkInternals::ChooseCubes(int skipping, vtkTypeIn
           vtkOpenGLFlatBlockAtlas::GetLargestTexture(this->Window));
 }
 
-void vtkFlatBlockVolumeMapper::vtkInternals::UpdateSkipMap(bool areLevelsFiltered, bool leapsMatter)
+void vtkFlatBlockVolumeMapper::vtkInternals::UpdateSkipMap(vtkFlatBlockSkipMap::Settings settings)
 {
   if (this->Sampling.CellsPerCube == 0)
   {
@@ -37,8 +37,9 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateSkipMap(bool areLevelsFiltere
     flatblock::StageTimer timer(this->Statistics.RangeMilliseconds);
     const auto& levels = this->Residency.GetLevels();
     const int coarsest = levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());
-    this->SkipMap->Update(this->Builder, this->TransferFunction, this->VisibleBlocks,
-      this->Sampling.CellsPerCube, std::max(coarsest, 0), areLevelsFiltered, leapsMatter);
+    settings.Cells = this->Sampling.CellsPerCube;
+    settings.Coarsest = std::max(coarsest, 0);
+    this->SkipMap->Update(this->Builder, this->TransferFunction, this->VisibleBlocks, settings);
   }
   if (!this->RayCaster->HasSkipMap() || this->SkipMap->GetMTime() > this->SkipTextureTime)
   {

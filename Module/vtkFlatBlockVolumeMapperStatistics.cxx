@@ -135,5 +135,6 @@ void vtkFlatBlockVolumeMapper::PrintStatistics(ostream& os)
   os << "Milliseconds: ranges " << this->GetRangeMilliseconds() << ", distortion "
      << this->GetDistortionMilliseconds() << ", selection " << this->GetSelectionMilliseconds()
      << ", upload " << this->GetUploadMilliseconds() << ", draw " << this->GetDrawMilliseconds()
-     << "\n";
+     << ", graphics card " << this->GPUMilliseconds << "\n";
+  os << "Per ray: " << this->SamplesPerRay << " samples, " << this->FetchesPerRay << " fetches\n";
 }

@@ -57,7 +57,8 @@ vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetTableBytes(
 vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetImageBytes(
   vtkRenderer* renderer, const flatblock::RaySampling& sampling)
 {
-  return sampling.HasImage() ? vtkOpenGLFlatBlockRayImage::GetBytes(renderer, sampling.PixelsPerRay)
+  return sampling.HasImage() ? vtkOpenGLFlatBlockRayImage::GetBytes(
+                                 renderer, sampling.PixelsPerRay, sampling.HasCounts())
                              : 0;
 }
 
@@ -70,7 +71,7 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
   this->TransferTable->ReleaseIfStale(renderer->GetRenderWindow(), table, NeedsIntegrals(sampling));
   if (sampling.HasImage())
   {
-    this->RayImage->ReleaseIfStale(renderer, sampling.PixelsPerRay);
+    this->RayImage->ReleaseIfStale(renderer, sampling.PixelsPerRay, sampling.HasCounts());
   }
   else
   {
@@ -105,9 +106,9 @@ void vtkOpenGLFlatBlockRayCaster::Finish()
   glFinish();
 }
 
-vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetRaysCutOff() const
+const flatblock::RayCounts& vtkOpenGLFlatBlockRayCaster::GetCounts() const
 {
-  return this->RayImage->GetRaysCutOff();
+  return this->RayImage->GetCounts();
 }
 
 bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene)
@@ -249,14 +250,14 @@ bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& s
     this->DrawCover(state, cover);
     return true;
   }
-  this->RayImage->Begin(renderer, scene.Sampling.PixelsPerRay);
+  this->RayImage->Begin(renderer, scene.Sampling.PixelsPerRay, scene.Sampling.HasCounts());
   {
     vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
     state->vtkglDisable(GL_SCISSOR_TEST);
     state->vtkglDisable(GL_BLEND);
     this->DrawCover(state, cover);
   }
-  this->RayImage->End(scene.Sampling.MostSamples > 0);
+  this->RayImage->End();
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
   return this->RayImage->Draw(renderer);

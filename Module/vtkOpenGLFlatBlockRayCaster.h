@@ -97,9 +97,9 @@ public:
   static void Finish();
 
   /**
-   * Rays of the last Draw() that the limit of samples cut off.
+   * Of the last Draw() with a sampling that has counts.
    */
-  vtkTypeInt64 GetRaysCutOff() const;
+  const flatblock::RayCounts& GetCounts() const;
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

@@ -17,14 +17,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 vtkStandardNewMacro(vtkOpenGLFlatBlockRayImage);
 
 namespace
 {
-constexpr vtkTypeInt64 BytesPerRay = 4 * 2 + 1;
+// Of colours, and of counts.
+vtkTypeInt64 GetBytesPerRay(bool hasCounts)
+{
+  return hasCounts ? 16 : 8;
+}
 
 struct ViewportBox
 {
@@ -48,28 +52,30 @@ std::array<int, 2> vtkOpenGLFlatBlockRayImage::GetSize(vtkRenderer* renderer, do
     std::max(1, static_cast<int>(std::ceil(viewport.Size[1] / pixelsPerRay))) };
 }
 
-vtkTypeInt64 vtkOpenGLFlatBlockRayImage::GetBytes(vtkRenderer* renderer, double pixelsPerRay)
+vtkTypeInt64 vtkOpenGLFlatBlockRayImage::GetBytes(
+  vtkRenderer* renderer, double pixelsPerRay, bool hasCounts)
 {
   const auto size = GetSize(renderer, pixelsPerRay);
-  return BytesPerRay * size[0] * size[1];
+  return GetBytesPerRay(hasCounts) * size[0] * size[1];
 }
 
-bool vtkOpenGLFlatBlockRayImage::HasSize(const std::array<int, 2>& size) const
+bool vtkOpenGLFlatBlockRayImage::HasSize(const std::array<int, 2>& size, bool hasCounts) const
 {
-  return this->Colors->GetHandle() != 0 && static_cast<int>(this->Colors->GetWidth()) == size[0] &&
+  return this->Colors->GetHandle() != 0 && (this->Counts->GetHandle() != 0) == hasCounts &&
+         static_cast<int>(this->Colors->GetWidth()) == size[0] &&
          static_cast<int>(this->Colors->GetHeight()) == size[1];
 }
 
 void vtkOpenGLFlatBlockRayImage::Allocate(
-  vtkOpenGLRenderWindow* window, const std::array<int, 2>& size)
+  vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, bool hasCounts)
 {
-  if (this->HasSize(size) && this->Colors->GetContext() == window)
+  if (this->HasSize(size, hasCounts) && this->Colors->GetContext() == window)
   {
     return;
   }
   this->ReleaseGraphicsResources(window);
-  this->Bytes.Set(BytesPerRay * size[0] * size[1]);
-  for (vtkTextureObject* texture : { this->Colors.Get(), this->CutOff.Get() })
+  this->Bytes.Set(GetBytesPerRay(hasCounts) * size[0] * size[1]);
+  for (vtkTextureObject* texture : { this->Colors.Get(), this->Counts.Get() })
   {
     texture->SetContext(window);
     texture->SetWrapS(vtkTextureObject::ClampToEdge);
@@ -79,22 +85,29 @@ void vtkOpenGLFlatBlockRayImage::Allocate(
   }
   this->Colors->SetInternalFormat(GL_RGBA16F);
   this->Colors->Allocate2D(size[0], size[1], 4, VTK_FLOAT);
-  this->CutOff->Allocate2D(size[0], size[1], 1, VTK_UNSIGNED_CHAR);
+  if (hasCounts)
+  {
+    this->Counts->SetInternalFormat(GL_RG32F);
+    this->Counts->Allocate2D(size[0], size[1], 2, VTK_FLOAT);
+  }
 }
 
-void vtkOpenGLFlatBlockRayImage::Begin(vtkRenderer* renderer, double pixelsPerRay)
+void vtkOpenGLFlatBlockRayImage::Begin(vtkRenderer* renderer, double pixelsPerRay, bool hasCounts)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const auto size = GetSize(renderer, pixelsPerRay);
-  this->Allocate(window, size);
+  this->Allocate(window, size, hasCounts);
   vtkOpenGLState* state = window->GetState();
   state->vtkglGetIntegerv(GL_VIEWPORT, this->Viewport);
   state->PushFramebufferBindings();
   this->Framebuffer->SetContext(window);
   this->Framebuffer->Bind();
   this->Framebuffer->AddColorAttachment(0, this->Colors);
-  this->Framebuffer->AddColorAttachment(1, this->CutOff);
-  this->Framebuffer->ActivateDrawBuffers(2);
+  if (hasCounts)
+  {
+    this->Framebuffer->AddColorAttachment(1, this->Counts);
+  }
+  this->Framebuffer->ActivateDrawBuffers(hasCounts ? 2 : 1);
   state->vtkglViewport(0, 0, size[0], size[1]);
   vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
@@ -103,19 +116,23 @@ void vtkOpenGLFlatBlockRayImage::Begin(vtkRenderer* renderer, double pixelsPerRa
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
 }
 
-void vtkOpenGLFlatBlockRayImage::End(bool countsRays)
+void vtkOpenGLFlatBlockRayImage::End()
 {
-  this->RaysCutOff = 0;
-  if (countsRays)
+  this->RayCounts = {};
+  if (this->Counts->GetHandle() != 0)
   {
-    const auto width = static_cast<int>(this->CutOff->GetWidth());
-    const auto height = static_cast<int>(this->CutOff->GetHeight());
-    std::vector<std::uint8_t> cutOff(static_cast<std::size_t>(width) * height);
+    const auto width = static_cast<int>(this->Counts->GetWidth());
+    const auto height = static_cast<int>(this->Counts->GetHeight());
+    std::vector<float> counts(2 * static_cast<std::size_t>(width) * height);
     this->Framebuffer->ActivateReadBuffer(1);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, width, height, GL_RED, GL_UNSIGNED_BYTE, cutOff.data());
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    this->RaysCutOff = std::count(cutOff.begin(), cutOff.end(), 255);
+    glReadPixels(0, 0, width, height, GL_RG, GL_FLOAT, counts.data());
+    for (std::size_t i = 0; i < counts.size(); i += 2)
+    {
+      this->RayCounts.Rays += counts[i + 1] > 0.0F ? 1 : 0;
+      this->RayCounts.CutOff += counts[i] < 0.0F ? 1 : 0;
+      this->RayCounts.Samples += std::abs(static_cast<double>(counts[i]));
+      this->RayCounts.Fetches += counts[i + 1];
+    }
   }
   vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
   state->PopFramebufferBindings();
@@ -148,9 +165,10 @@ bool vtkOpenGLFlatBlockRayImage::Draw(vtkRenderer* renderer)
   return true;
 }
 
-void vtkOpenGLFlatBlockRayImage::ReleaseIfStale(vtkRenderer* renderer, double pixelsPerRay)
+void vtkOpenGLFlatBlockRayImage::ReleaseIfStale(
+  vtkRenderer* renderer, double pixelsPerRay, bool hasCounts)
 {
-  if (this->Bytes.Get() > 0 && !this->HasSize(GetSize(renderer, pixelsPerRay)))
+  if (this->Bytes.Get() > 0 && !this->HasSize(GetSize(renderer, pixelsPerRay), hasCounts))
   {
     this->ReleaseGraphicsResources(renderer->GetRenderWindow());
   }
@@ -159,7 +177,7 @@ void vtkOpenGLFlatBlockRayImage::ReleaseIfStale(vtkRenderer* renderer, double pi
 void vtkOpenGLFlatBlockRayImage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Colors->ReleaseGraphicsResources(window);
-  this->CutOff->ReleaseGraphicsResources(window);
+  this->Counts->ReleaseGraphicsResources(window);
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Bytes.Set(0);
 }
@@ -168,5 +186,5 @@ void vtkOpenGLFlatBlockRayImage::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Bytes: " << this->Bytes.Get() << "\n";
-  os << indent << "RaysCutOff: " << this->RaysCutOff << "\n";
+  os << indent << "RaysCutOff: " << this->RayCounts.CutOff << "\n";
 }

@@ -9,6 +9,7 @@
 #define vtkOpenGLFlatBlockRayImage_h
 
 #include "MemoryCounter.h"
+#include "RaySampling.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
 
@@ -36,19 +37,19 @@ public:
    * Rays along both axes of a viewport, with so many pixels from one to the next.
    */
   static std::array<int, 2> GetSize(vtkRenderer* renderer, double pixelsPerRay);
-  static vtkTypeInt64 GetBytes(vtkRenderer* renderer, double pixelsPerRay);
+  static vtkTypeInt64 GetBytes(vtkRenderer* renderer, double pixelsPerRay, bool hasCounts);
 
   /**
    * From here to End() the image is drawn to, and shows nothing at first. Draw buffer 0 takes
-   * colours, buffer 1 takes 1 where a ray was cut off.
+   * colours. Where there are counts, buffer 1 takes the samples of a ray, negative where it was cut
+   * off, and its fetches.
    */
-  void Begin(vtkRenderer* renderer, double pixelsPerRay);
+  void Begin(vtkRenderer* renderer, double pixelsPerRay, bool hasCounts);
 
   /**
-   * What was drawn to before is drawn to again.
-   * @param countsRays  whether those that were cut off are counted
+   * What was drawn to before is drawn to again. Adds up the counts.
    */
-  void End(bool countsRays);
+  void End();
 
   /**
    * Blends the image over the renderer's viewport, with the blend function that is set.
@@ -56,12 +57,12 @@ public:
    */
   bool Draw(vtkRenderer* renderer);
 
-  vtkTypeInt64 GetRaysCutOff() const { return this->RaysCutOff; }
+  const flatblock::RayCounts& GetCounts() const { return this->RayCounts; }
 
   /**
    * Releases what the next Begin() will allocate in another size.
    */
-  void ReleaseIfStale(vtkRenderer* renderer, double pixelsPerRay);
+  void ReleaseIfStale(vtkRenderer* renderer, double pixelsPerRay, bool hasCounts);
   void ReleaseGraphicsResources(vtkWindow* window);
 
 protected:
@@ -72,14 +73,14 @@ private:
   vtkOpenGLFlatBlockRayImage(const vtkOpenGLFlatBlockRayImage&) = delete;
   void operator=(const vtkOpenGLFlatBlockRayImage&) = delete;
 
-  void Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size);
-  bool HasSize(const std::array<int, 2>& size) const;
+  void Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, bool hasCounts);
+  bool HasSize(const std::array<int, 2>& size, bool hasCounts) const;
 
   vtkNew<vtkTextureObject> Colors;
-  vtkNew<vtkTextureObject> CutOff;
+  vtkNew<vtkTextureObject> Counts;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   flatblock::CountedBytes Bytes;
-  vtkTypeInt64 RaysCutOff = 0;
+  flatblock::RayCounts RayCounts;
   int Viewport[4] = { 0, 0, 0, 0 }; // drawn to before
 };
 

@@ -9,6 +9,17 @@ uniform float in_AdaptiveSampling; // 1: the step doubles a level, 0: it is the 
 
 const uint NotResident = 65535u;
 
+#ifdef FLATBLOCK_COUNTING
+int fetches = 0; // of textures along the ray: of the atlas, the index, the map of leaps and the table
+#endif
+
+void countFetches(int number)
+{
+#ifdef FLATBLOCK_COUNTING
+  fetches += number;
+#endif
+}
+
 struct Brick
 {
   bool resident;
@@ -25,6 +36,7 @@ Brick fetchBrick(ivec3 block)
 {
   int number = block.x + in_Blocks[0] * (block.y + in_Blocks[1] * block.z);
   int width = textureSize(in_BlockIndex, 0).x;
+  countFetches(1);
   uvec4 entry = texelFetch(in_BlockIndex, ivec2(number % width, number / width), 0);
   Brick brick;
   brick.resident = entry.w != NotResident;
@@ -46,6 +58,7 @@ vec3 inBrick(Brick brick, vec3 position)
 
 float texelOf(Brick brick, vec3 position)
 {
+  countFetches(1);
   vec3 at = (brick.origin + (position - brick.first) * brick.scale + 0.5) * in_AtlasTexel;
   return textureLod(in_Atlas, clamp(at, brick.low, brick.high), 0.0).r;
 }

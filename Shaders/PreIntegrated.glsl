@@ -63,6 +63,7 @@ Point pointAtPosition(float position)
 {
   float interval = intervalOf(position);
   int texel = int(interval) * in_TexelsPerEntry;
+  countFetches(4);
   vec4 low = texelFetch(in_TransferTable, texel);
   vec4 high = texelFetch(in_TransferTable, texel + in_TexelsPerEntry);
   float share = position - interval;

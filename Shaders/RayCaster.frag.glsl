@@ -30,8 +30,10 @@ struct Gathered
 #ifdef FLATBLOCK_SHADING
   Light light;
 #endif
-#ifdef FLATBLOCK_SAMPLE_LIMIT
+#ifdef FLATBLOCK_COUNTING
   int samples;
+#endif
+#ifdef FLATBLOCK_SAMPLE_LIMIT
   bool isCutOff;
 #endif
 };
@@ -112,15 +114,18 @@ void gather(inout Gathered gathered, Ray ray, vec3 origin, Brick brick, Stretch 
   {
     gathered.front = pointAt(gathered.brick, origin + gathered.at * ray.direction);
     gathered.isLost = false;
-#ifdef FLATBLOCK_SAMPLE_LIMIT
+#ifdef FLATBLOCK_COUNTING
     ++gathered.samples;
 #endif
   }
   float target = stretch.exit;
   while (goesOn(gathered, stretch))
   {
+#ifdef FLATBLOCK_COUNTING
+    ++gathered.samples;
+#endif
 #ifdef FLATBLOCK_SAMPLE_LIMIT
-    gathered.isCutOff = ++gathered.samples > in_MaximumNumberOfSamples;
+    gathered.isCutOff = gathered.samples > in_MaximumNumberOfSamples;
     if (gathered.isCutOff)
     {
       break;
@@ -164,6 +169,9 @@ void leap(inout Gathered gathered, Ray ray, Brick brick, Stretch stretch)
   {
     float length = stretch.isMatter ? last - gathered.at : 0.0;
     vec4 layer = layerOf(gathered.front.matter, length * ray.unit * in_StepLength);
+#ifdef FLATBLOCK_SHADING
+    layer.rgb = layer.rgb * gathered.light.reflected + layer.a * gathered.light.specular;
+#endif
     gathered.color = composite(gathered.color, layer);
     gathered.at = last;
     gathered.next = last + brick.step; // the lattice has one, or the ray ends here
@@ -196,8 +204,10 @@ Gathered march(Ray ray)
 #ifdef FLATBLOCK_SHADING
   gathered.light = firstLight();
 #endif
-#ifdef FLATBLOCK_SAMPLE_LIMIT
+#ifdef FLATBLOCK_COUNTING
   gathered.samples = 0;
+#endif
+#ifdef FLATBLOCK_SAMPLE_LIMIT
   gathered.isCutOff = false;
 #endif
   Stretch stretch;
@@ -250,8 +260,12 @@ void main()
     discard;
   }
   Gathered gathered = march(ray);
+#ifdef FLATBLOCK_COUNTING
+  float samples = float(gathered.samples);
 #ifdef FLATBLOCK_SAMPLE_LIMIT
-  gl_FragData[1] = vec4(gathered.isCutOff ? 1.0 : 0.0);
+  samples = gathered.isCutOff ? -samples : samples;
+#endif
+  gl_FragData[1] = vec4(samples, float(fetches), 0.0, 0.0);
 #else
   if (gathered.color.a <= 0.0)
   {

@@ -10,6 +10,7 @@ uniform vec2 in_TexelToTable; // scale and offset: texel of the atlas to positio
 // Colour, not multiplied by anything, and extinction, of an entry.
 vec4 entryOfTable(int entry)
 {
+  countFetches(1);
   return texelFetch(in_TransferTable, entry * in_TexelsPerEntry);
 }
 

@@ -55,6 +55,7 @@ void lookAround(inout Walk walk)
   walk.first = walk.cube;
   walk.last = walk.cube;
 #ifdef FLATBLOCK_SKIPPING
+  countFetches(1);
   int texel = int(texelFetch(in_SkipMap, walk.cube, 0).r);
   int kind = texel >> 6;
   ivec3 around = ivec3((texel & 63) - 1);

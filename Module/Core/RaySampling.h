@@ -10,6 +10,15 @@ enum class Classification
   PreInterpolation
 };
 
+/// Of all rays that meet the volume's box.
+struct RayCounts
+{
+  long long Rays = 0;
+  long long CutOff = 0; ///< by the limit of samples
+  double Samples = 0.0; ///< points that were classified
+  double Fetches = 0.0; ///< of textures: bricks, their index, map of leaps, transfer function
+};
+
 struct RaySampling
 {
   Classification Method = Classification::PreIntegrated;
@@ -17,15 +26,20 @@ struct RaySampling
   double UnitOfLength = 1.0; ///< of extinctions, in the data set's unit: the smallest spacing
   double PixelsPerRay = 1.0; ///< along both axes of the picture
   bool Jittering = false;
-  bool Adaptive = true;       ///< the step doubles a level
-  int CellsPerCube = 0;       ///< along a side, of the map of leaps; 0: there is none
+  bool Adaptive = true; ///< the step doubles a level
+  int CellsPerCube = 0; ///< along a side, of the map of leaps; 0: there is none
   bool IsShaded = false;
   double ShadingThreshold = 0.0; ///< opacity that a piece must be seen with to be lit anew
-  int MostSamples = 0;        ///< of a ray; 0: no limit
-  double RayStart = 0.0;      ///< in world units from the eye, or the near plane
-  double EnoughOpacity = 1.0; ///< at which a ray ends
+  int MostSamples = 0;           ///< of a ray; 0: no limit
+  double RayStart = 0.0;         ///< in world units from the eye, or the near plane
+  double EnoughOpacity = 1.0;    ///< at which a ray ends
+
+  bool CountsSamples = false;
+
+  /// Whether samples and fetches of each ray are counted.
+  bool HasCounts() const { return this->CountsSamples || this->MostSamples > 0; }
 
   /// Whether rays are drawn to an image of their own first.
-  bool HasImage() const { return this->PixelsPerRay != 1.0 || this->MostSamples > 0; }
+  bool HasImage() const { return this->PixelsPerRay != 1.0 || this->HasCounts(); }
 };
 } // namespace flatblock

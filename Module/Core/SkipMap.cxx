@@ -138,8 +138,9 @@ namespace
 class BlockMapper
 {
 public:
-  BlockMapper(const CubeGrid& grid, const std::vector<Kind>& kinds, SkipMap& map)
-    : Grid(grid), Kinds(kinds), Map(map)
+  BlockMapper(
+    const CubeGrid& grid, const std::vector<Kind>& kinds, const Bytes& reach, SkipMap& map)
+    : Grid(grid), Kinds(kinds), Reach(reach), Map(map)
   {
   }
 
@@ -162,7 +163,7 @@ public:
         {
           const bool varies = this->Kinds[row + i] == Kind::Varying;
           toVarying[own + i] = varies ? 0 : SkipMap::FarthestLeap;
-          toPlain[own + i] = varies ? SkipMap::FarthestLeap : 0;
+          toPlain[own + i] = varies && !this->IsNear(row + i) ? SkipMap::FarthestLeap : 0;
         }
       });
     MeasureDistances(size, toVarying);
@@ -172,14 +173,22 @@ public:
       {
         for (int i = 0; i < length; ++i)
         {
-          const int kind = SkipMap::KindFactor * static_cast<int>(this->Kinds[row + i]);
+          const bool isNear = this->IsNear(row + i);
+          const Kind kind = isNear ? Kind::Constant : this->Kinds[row + i];
+          const int distance =
+            isNear ? this->Reach[row + i] : toVarying[own + i] + toPlain[own + i];
           this->Map.Leaps[row + i] =
-            static_cast<std::uint8_t>(kind + toVarying[own + i] + toPlain[own + i]);
+            static_cast<std::uint8_t>(SkipMap::KindFactor * static_cast<int>(kind) + distance);
         }
       });
   }
 
 private:
+  bool IsNear(std::size_t cube) const
+  {
+    return this->Kinds[cube] == Kind::Varying && !this->Reach.empty() && this->Reach[cube] > 0;
+  }
+
   Index3 GetSize(const Index3& block) const
   {
     Index3 size;
@@ -212,19 +221,20 @@ private:
 
   const CubeGrid& Grid;
   const std::vector<Kind>& Kinds;
+  const Bytes& Reach;
   SkipMap& Map;
 };
 } // namespace
 
 SkipMap BuildSkipMap(const CubeGrid& grid, const std::vector<SkipMap::Kind>& kinds,
-  const std::vector<std::uint8_t>& visible)
+  const std::vector<std::uint8_t>& visible, const std::vector<std::uint8_t>& reach)
 {
   SkipMap map{ grid.Cubes, Bytes(kinds.size()) };
   Bytes toVisible(visible.size());
   std::transform(visible.begin(), visible.end(), toVisible.begin(),
     [](std::uint8_t v) -> std::uint8_t { return v != 0 ? 0 : SkipMap::FarthestLeap; });
   MeasureDistances(grid.Blocks, toVisible);
-  BlockMapper mapper(grid, kinds, map);
+  BlockMapper mapper(grid, kinds, reach, map);
   for (std::size_t i = 0; i < visible.size(); ++i)
   {
     const auto x = static_cast<int>(i % grid.Blocks[0]);

@@ -62,8 +62,10 @@ void CoarsenKinds(
 ///
 /// @param kinds    of all cubes
 /// @param visible  of all blocks, 0: its cubes are hidden, whatever their kind
+/// @param reach    of all cubes, as MeasureVariation() has it, or empty: those that vary but little
+///                 count as constant, so far
 SkipMap BuildSkipMap(const CubeGrid& grid, const std::vector<SkipMap::Kind>& kinds,
-  const std::vector<std::uint8_t>& visible);
+  const std::vector<std::uint8_t>& visible, const std::vector<std::uint8_t>& reach = {});
 
 /// Replaces 0 and FarthestLeap by Chebyshev distances from what is 0, up to FarthestLeap.
 void MeasureDistances(const Index3& size, std::vector<std::uint8_t>& bytes);

@@ -1,0 +1,171 @@
+// What trades accuracy for speed: errors within their bounds, and nothing where it is off.
+#include "FloatPicture.h"
+#include "Volumes.h"
+
+#include "vtk_glew.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace flatblock::testing;
+
+namespace
+{
+using Mapper = vtkFlatBlockVolumeMapper;
+
+double FogAt(int x, int y, int z)
+{
+  return 500.0 + 160.0 * (std::sin(0.06 * x) + std::cos(0.05 * y - 0.04 * x) + std::sin(0.07 * z));
+}
+
+void ShowFog(Scene& scene)
+{
+  scene.SetVolume(MakeVolume({ 65, 65, 65 }, VTK_FLOAT, FogAt), 0.5);
+  scene.Window->SetSize(96, 96);
+  scene.SetOpacity({ { 0.0, 0.0 }, { 1000.0, 0.02 } });
+  scene.SetColor({ { 0.0, 0.2, 0.4, 0.6 }, { 1000.0, 0.8, 0.6, 0.3 } });
+  scene.LookFrom(35.0, 25.0, 1.3);
+}
+
+// Of all shaders that the scene's context has.
+std::string GetShaderSources(Scene& scene)
+{
+  DrawFloats(scene);
+  std::string sources;
+  for (GLuint name = 1; name < 1000; ++name)
+  {
+    GLint length = 0;
+    if (glIsShader(name) != 0)
+    {
+      glGetShaderiv(name, GL_SHADER_SOURCE_LENGTH, &length);
+    }
+    std::string source(static_cast<std::size_t>(length), ' ');
+    if (length > 0)
+    {
+      glGetShaderSource(name, length, nullptr, source.data());
+    }
+    sources += source;
+  }
+  return sources;
+}
+
+int CountTextures()
+{
+  int count = 0;
+  for (GLuint name = 1; name < 1000; ++name)
+  {
+    count += glIsTexture(name) != 0 ? 1 : 0;
+  }
+  return count;
+}
+} // namespace
+
+// Off, a property leaves neither code in the shader nor a texture on the card.
+TEST(Knobs, CostNothingWhereTheyAreOff)
+{
+  struct Knob
+  {
+    const char* Code; // that its shader has
+    int Textures;
+    std::function<void(Scene&)> TurnOn;
+  };
+  const Knob knobs[] = {
+    { "define FLATBLOCK_SKIPPING", 1, [](Scene& s) { s.Mapper->SetSkippingToCells(); } },
+    { "in_LightDirection", 0, [](Scene& s) { s.Property->ShadeOn(); } },
+    { "define FLATBLOCK_COUNTING", 2, [](Scene& s) { s.Mapper->CountSamplesOn(); } },
+    { "define FLATBLOCK_SAMPLE_LIMIT", 2, [](Scene& s) { s.Mapper->SetMaximumNumberOfSamples(50); } },
+    { "define FLATBLOCK_JITTERING", 0, [](Scene& s) { s.Mapper->UseJitteringOn(); } },
+    { "define FLATBLOCK_RAY_START", 0, [](Scene& s) { s.Mapper->SetRayStartOffset(1.0); } },
+  };
+  for (const Knob& knob : knobs)
+  {
+    Scene scene;
+    ShowFog(scene);
+    scene.Mapper->SetSkippingToNothing();
+    const std::string off = GetShaderSources(scene);
+    const int texturesOff = CountTextures();
+    knob.TurnOn(scene);
+    const std::string on = GetShaderSources(scene);
+    const std::string code = knob.Code;
+    EXPECT_NE(on.find(code), std::string::npos) << code;
+    EXPECT_EQ(off.find(code), std::string::npos) << code;
+    EXPECT_EQ(CountTextures() - texturesOff, knob.Textures) << code;
+  }
+}
+
+// Along a ray of length L opacity is off by at most L times how far extinction is, and colour by
+// that and by how far colours are.
+TEST(VariationTolerance, BoundsTheError)
+{
+  Scene scene;
+  ShowFog(scene);
+  scene.Mapper->SetHomogeneousLeaps(false);
+  scene.Mapper->CountSamplesOn();
+  const Picture exact = DrawFloats(scene);
+  double samples = scene.Mapper->GetSamplesPerRay();
+  double last = 0.0;
+  for (const double tolerance : { 1.0, 10.0, 60.0, 200.0 })
+  {
+    scene.Mapper->SetVariationTolerance(tolerance);
+    const double error = LargestDifference(DrawFloats(scene), exact);
+    const double extinction = -std::log1p(-0.02) * tolerance / 1000.0;
+    const double color = 0.6 * tolerance / 1000.0;
+    constexpr double Length = 64.0 * 1.7320508;
+    std::cout << "tolerance " << tolerance << ": error " << error << ", "
+              << scene.Mapper->GetSamplesPerRay() << " samples a ray instead of " << samples
+              << "\n";
+    EXPECT_LE(error, color + 1.05 * extinction * Length);
+    EXPECT_LE(scene.Mapper->GetSamplesPerRay(), samples);
+    EXPECT_GE(error, last);
+    samples = scene.Mapper->GetSamplesPerRay();
+    last = error;
+  }
+  scene.Mapper->SetVariationTolerance(0.0);
+  EXPECT_EQ(LargestDifference(DrawFloats(scene), exact), 0.0);
+}
+
+TEST(VariationTolerance, CostsFourPercentOfTheAtlasAtMost)
+{
+  Scene scene;
+  ShowFog(scene);
+  scene.Mapper->SetVariationTolerance(20.0);
+  scene.Window->Render();
+  const vtkTypeInt64 with = scene.Mapper->GetMemoryInBytes();
+  scene.Mapper->SetSkippingToNothing();
+  scene.Window->Render();
+  EXPECT_LE(with - scene.Mapper->GetMemoryInBytes(), scene.Mapper->GetAtlasBytes() * 4 / 100);
+  EXPECT_GT(with, scene.Mapper->GetMemoryInBytes());
+}
+
+TEST(CountSamples, CountsWhatIsThere)
+{
+  Scene scene;
+  ShowFog(scene);
+  scene.Mapper->SetSkippingToNothing();
+  scene.Mapper->SetClassificationToPostInterpolation();
+  const Picture uncounted = DrawFloats(scene);
+  EXPECT_EQ(scene.Mapper->GetSamplesPerRay(), 0.0);
+  scene.Mapper->CountSamplesOn();
+  scene.Mapper->SetEarlyTerminationThreshold(1.0);
+  EXPECT_LE(LargestDifference(DrawFloats(scene), uncounted), 0.005);
+  const double samples = scene.Mapper->GetSamplesPerRay();
+  scene.Mapper->SetSampleDistance(1.0);
+  DrawFloats(scene);
+  EXPECT_NEAR(samples / scene.Mapper->GetSamplesPerRay(), 2.0, 0.1);
+  // Of the volume and two entries of the table, and some for each block.
+  EXPECT_GE(scene.Mapper->GetFetchesPerRay(), 3.0 * scene.Mapper->GetSamplesPerRay());
+  EXPECT_LE(scene.Mapper->GetFetchesPerRay(), 3.3 * scene.Mapper->GetSamplesPerRay() + 10.0);
+}
+
+TEST(Profiling, TimesTheGraphicsCard)
+{
+  Scene scene;
+  ShowFog(scene);
+  DrawFloats(scene);
+  EXPECT_EQ(scene.Mapper->GetGPUMilliseconds(), -1.0);
+  scene.Mapper->ProfilingOn();
+  DrawFloats(scene);
+  EXPECT_NE(scene.Mapper->GetGPUMilliseconds(), 0.0);
+}
