@@ -6,6 +6,7 @@
 
 #include "FlatBlockBlocksGLSL.h"
 #include "FlatBlockClassifiedPointGLSL.h"
+#include "FlatBlockCountingGLSL.h"
 #include "FlatBlockPostInterpolationGLSL.h"
 #include "FlatBlockPreIntegratedGLSL.h"
 #include "FlatBlockPreInterpolationGLSL.h"
@@ -40,6 +41,7 @@ std::string GetDefines(const RaySampling& sampling, bool hasHoles, bool hasLongS
   { defines += isSet ? "#define " + std::string(name) + "\n" : std::string(); };
   define(hasHoles, "FLATBLOCK_HOLES");
   define(hasLongSums, "FLATBLOCK_LONG_SUMS");
+  define(sampling.HasBrickRanges, "FLATBLOCK_BRICK_RANGES");
   define(sampling.CellsPerCube > 0, "FLATBLOCK_SKIPPING");
   define(sampling.Jittering, "FLATBLOCK_JITTERING");
   define(sampling.IsShaded, "FLATBLOCK_SHADING");
@@ -57,6 +59,7 @@ vtkShaderProgram* ReadyRayCaster(
   const auto insert = [&fragment](const char* place, const std::string& source)
   { vtkShaderProgram::Substitute(fragment, place, source); };
   insert("//FlatBlock::Defines", GetDefines(sampling, hasHoles, hasLongSums));
+  insert("//FlatBlock::Counting", FlatBlockCountingGLSL);
   insert("//FlatBlock::Ray", FlatBlockRayGLSL);
   insert("//FlatBlock::Blocks", FlatBlockBlocksGLSL);
   insert("//FlatBlock::Walk", FlatBlockWalkGLSL);

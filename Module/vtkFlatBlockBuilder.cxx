@@ -1,5 +1,7 @@
 #include "vtkFlatBlockBuilder.h"
 
+#include "QuantizedBricks.h"
+
 #include "BrickBorder.h"
 #include "BrickCopy.h"
 #include "BrickFilter.h"
@@ -144,19 +146,20 @@ vtkSmartPointer<vtkDataArray> UnpackBits(vtkDataArray* scalars)
 }
 } // namespace
 
-bool vtkFlatBlockBuilder::Update(
-  vtkImageData* image, vtkDataArray* scalars, int blockSize, flatblock::LevelFilter filter)
+bool vtkFlatBlockBuilder::Update(vtkImageData* image, vtkDataArray* scalars, int blockSize,
+  flatblock::LevelFilter filter, int bits)
 {
   const void* samplesNow = scalars->GetVoidPointer(0);
   if (this->Source && this->BuiltSamples == samplesNow &&
       this->BuiltImageTime == image->GetMTime() && this->BuiltBlockSize == blockSize &&
-      this->BuiltFilter == filter)
+      this->BuiltFilter == filter && this->BuiltBits == bits)
   {
     return false;
   }
   flatblock::Index3 samples;
   image->GetDimensions(samples.data());
   const flatblock::BlockGrid grid(samples, blockSize);
+  this->Quantized.reset();
   this->Source.reset();
   this->CellsPerRange = 0;
   this->Cuda.Release();
@@ -166,6 +169,11 @@ bool vtkFlatBlockBuilder::Update(
   {
     vtkTemplateMacro(this->Build(grid, static_cast<VTK_TT*>(this->Scalars->GetVoidPointer(0))));
   }
+  if (bits > 0 && this->NonFiniteSamples == 0)
+  {
+    this->Quantize(bits);
+  }
+  this->BuiltBits = bits;
   this->BuiltSamples = samplesNow;
   this->BuiltImageTime = image->GetMTime();
   this->BuiltBlockSize = blockSize;
@@ -193,6 +201,24 @@ void vtkFlatBlockBuilder::Build(const flatblock::BlockGrid& grid, const T* sampl
     CountNonFinite(samples, this->Scalars->GetNumberOfValues(), this->BlockRanges);
   this->Source = std::make_unique<ImageBrickSource<T>>(
     grid, samples, MakeEncoding<T>(this->Range), this->BuiltFilter);
+}
+
+void vtkFlatBlockBuilder::Quantize(int bits)
+{
+  const flatblock::TexelEncoding& encoding = this->Source->GetEncoding();
+  std::vector<flatblock::TexelRange> ranges(this->BlockRanges.size());
+  std::transform(this->BlockRanges.begin(), this->BlockRanges.end(), ranges.begin(),
+    [&encoding](const flatblock::ValueRange& range) -> flatblock::TexelRange
+    {
+      return { static_cast<float>((range.Lowest - encoding.Offset) / encoding.Scale),
+        static_cast<float>((range.Highest - range.Lowest) / encoding.Scale) };
+    });
+  if (this->BuiltFilter == flatblock::LevelFilter::Tent)
+  {
+    ranges = flatblock::WidenRanges(this->Source->GetGrid().GetBlocks(), ranges);
+  }
+  this->Quantized =
+    std::make_unique<flatblock::QuantizedBricks>(*this->Source, std::move(ranges), bits);
 }
 
 const std::vector<flatblock::CellRange>& vtkFlatBlockBuilder::GetCellRanges(int cells)

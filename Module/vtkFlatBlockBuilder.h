@@ -31,15 +31,24 @@ public:
 
   /**
    * Cuts the image's scalars, one component and one tuple a point, into blocks.
+   * @param bits  of a texel on a scale of its brick; 0, and where samples are not finite: as they
+   * are
    * @return whether anything was built anew
    */
-  bool Update(
-    vtkImageData* image, vtkDataArray* scalars, int blockSize, flatblock::LevelFilter filter);
+  bool Update(vtkImageData* image, vtkDataArray* scalars, int blockSize,
+    flatblock::LevelFilter filter, int bits = 0);
 
   /**
    * Valid after Update(), until the image's samples change.
    */
-  const flatblock::BrickSource& GetSource() const { return *this->Source; }
+  const flatblock::BrickSource& GetSource() const
+  {
+    return this->Quantized ? *this->Quantized : *this->Source;
+  }
+  bool HasIntegers() const
+  {
+    return this->Source->GetEncoding().Format != flatblock::TexelFormat::Float32;
+  }
   /// Of finite samples.
   const std::vector<flatblock::ValueRange>& GetBlockRanges() const { return this->BlockRanges; }
 
@@ -86,11 +95,14 @@ private:
   template <typename T>
   void Build(const flatblock::BlockGrid& grid, const T* samples);
 
+  void Quantize(int bits);
+
   template <typename T>
   void BuildCellRanges(const T* samples, const flatblock::Index3& count);
 
   vtkSmartPointer<vtkDataArray> Scalars;
   std::unique_ptr<flatblock::BrickSource> Source;
+  std::unique_ptr<flatblock::BrickSource> Quantized; // of it
   std::vector<flatblock::ValueRange> BlockRanges;
   flatblock::ValueRange Range;
   std::vector<flatblock::CellRange> CellRanges;
@@ -102,6 +114,7 @@ private:
   const void* BuiltSamples = nullptr; // only compared with
   vtkMTimeType BuiltImageTime = 0;
   int BuiltBlockSize = 0;
+  int BuiltBits = 0;
   flatblock::LevelFilter BuiltFilter = flatblock::LevelFilter::Subsample;
 };
 

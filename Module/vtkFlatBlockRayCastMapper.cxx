@@ -3,6 +3,20 @@
 vtkFlatBlockRayCastMapper::vtkFlatBlockRayCastMapper() = default;
 vtkFlatBlockRayCastMapper::~vtkFlatBlockRayCastMapper() = default;
 
+void vtkFlatBlockRayCastMapper::SetAtlasPrecision(int precision)
+{
+  if (precision != NATIVE && precision != BITS_8 && precision != BITS_4 && precision != BITS_1)
+  {
+    vtkErrorMacro(<< "AtlasPrecision is 0 (native), 8, 4 or 1 bits, not " << precision << ".");
+    return;
+  }
+  if (this->AtlasPrecision != precision)
+  {
+    this->AtlasPrecision = precision;
+    this->Modified();
+  }
+}
+
 void vtkFlatBlockRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -24,6 +38,7 @@ void vtkFlatBlockRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
   const char* const skippings[] = { "Nothing", "Blocks", "Cells" };
   os << indent << "Skipping: " << skippings[this->Skipping] << "\n";
   os << indent << "HomogeneousLeaps: " << this->HomogeneousLeaps << "\n";
+  os << indent << "AtlasPrecision: " << this->AtlasPrecision << "\n";
   os << indent << "VariationTolerance: " << this->VariationTolerance << "\n";
   os << indent << "Profiling: " << this->Profiling << "\n";
   os << indent << "CountSamples: " << this->CountSamples << "\n";

@@ -173,6 +173,29 @@ public:
   vtkBooleanMacro(HomogeneousLeaps, bool);
   ///@}
 
+  enum Precisions
+  {
+    NATIVE = 0,
+    BITS_1 = 1,
+    BITS_4 = 4,
+    BITS_8 = 8
+  };
+
+  ///@{
+  /**
+   * Of texels in the atlas: as they are (NATIVE, default), or of 8 bits on a scale of each block's
+   * own range, so that a sample is off by at most 1/510 of that range; or of 4 bits (1/30) or 1 bit
+   * (1/2), which take 8 bits as well. Anything else is refused with an error. Volumes with samples
+   * that are not finite are drawn as they are.
+   */
+  void SetAtlasPrecision(int precision);
+  vtkGetMacro(AtlasPrecision, int);
+  void SetAtlasPrecisionToNative() { this->SetAtlasPrecision(NATIVE); }
+  void SetAtlasPrecisionTo8Bits() { this->SetAtlasPrecision(BITS_8); }
+  void SetAtlasPrecisionTo4Bits() { this->SetAtlasPrecision(BITS_4); }
+  void SetAtlasPrecisionTo1Bit() { this->SetAtlasPrecision(BITS_1); }
+  ///@}
+
   ///@{
   /**
    * The variation map's epsilon, in units of the scalars, from 0 on. Where all values of a cube
@@ -238,6 +261,7 @@ protected:
   double EarlyTerminationThreshold = 1.0 - 1.0 / 255.0;
   int Skipping = SKIP_CELLS;
   bool HomogeneousLeaps = true;
+  int AtlasPrecision = NATIVE;
   double VariationTolerance = 0.0;
   double ShadingOpacityThreshold = 0.0;
   bool Profiling = false;

@@ -27,9 +27,8 @@ bool vtkFlatBlockVolumeMapper::UsesCuda()
 void vtkFlatBlockVolumeMapper::vtkInternals::UpdateClassified()
 {
   flatblock::StageTimer timer(this->Statistics.DistortionMilliseconds);
-  const bool everyInteger =
-    this->Builder->GetSource().GetEncoding().Format != flatblock::TexelFormat::Float32;
-  this->TransferFunction->UpdateClassified(this->Property, this->Builder->GetRange(), everyInteger);
+  this->TransferFunction->UpdateClassified(
+    this->Property, this->Builder->GetRange(), this->Builder->HasIntegers());
 }
 
 void vtkFlatBlockVolumeMapper::vtkInternals::UpdateTransmittance(const flatblock::VolumeView& view)

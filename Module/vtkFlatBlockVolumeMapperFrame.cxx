@@ -53,6 +53,7 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   settings.LeapsMatter = this->HomogeneousLeaps && !in.Sampling.IsShaded;
   settings.Tolerance = this->VariationTolerance;
   in.UpdateSkipMap(settings);
+  in.UpdateBrickRanges();
   this->DrawRays(renderer, volume);
 }
 
@@ -119,11 +120,13 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
   flatblock::StageTimer timer(in.Statistics.RangeMilliseconds);
   const auto filter =
     this->LevelFilter == TENT ? flatblock::LevelFilter::Tent : flatblock::LevelFilter::Subsample;
-  if (in.Builder->Update(in.Input.Image, in.Input.Scalars, this->BlockSize, filter))
+  const int bits = this->AtlasPrecision;
+  if (in.Builder->Update(in.Input.Image, in.Input.Scalars, this->BlockSize, filter, bits))
   {
     in.Residency.Clear();
     in.LastAtlasBytes = 0;
     in.CardLimit = {};
+    in.AreBrickRangesCurrent = false;
   }
 }
 
@@ -154,7 +157,7 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer
   return vtkOpenGLFlatBlockAtlas::GetIndexBytes(this->GetNumberOfBlocks()) +
          flatblock::RoundUp(vtkOpenGLFlatBlockSceneDepth::GetBytes(size[0], size[1])) +
          vtkOpenGLFlatBlockRayCaster::GetTableBytes(in.TransferFunction->GetTable(), in.Sampling) +
-         in.GetSkipMapBytes() + this->GetImageBytes(renderer);
+         in.GetSkipMapBytes() + in.GetBrickRangeBytes() + this->GetImageBytes(renderer);
 }
 
 void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* volume)

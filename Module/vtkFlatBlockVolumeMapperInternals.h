@@ -85,6 +85,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   void ChooseCubes(int skipping, vtkTypeInt64 memory);
   void UpdateSkipMap(vtkFlatBlockSkipMap::Settings settings);
   vtkTypeInt64 GetSkipMapBytes() const;
+  void UpdateBrickRanges();
+  vtkTypeInt64 GetBrickRangeBytes() const;
   flatblock::FramePlan PlanFrame(const flatblock::RefinementBudget* budget, bool continuity);
 
   flatblock::MemoryCounter Memory; // outlives those who count in it
@@ -107,6 +109,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkTimeStamp VisibleBlocksTime;
   vtkTimeStamp TransferTextureTime;
   vtkTimeStamp SkipTextureTime;
+  bool AreBrickRangesCurrent = false;
   vtkTimeStamp ExtinctionTime;
   vtkTimeStamp TransmittanceTime;
   flatblock::VolumeView TransmittanceView; // only compared with

@@ -9,6 +9,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFlatBlockAtlas.h"
+#include "vtkOpenGLFlatBlockBrickRanges.h"
 #include "vtkOpenGLFlatBlockRayImage.h"
 #include "vtkOpenGLFlatBlockSceneDepth.h"
 #include "vtkOpenGLFlatBlockSkipTexture.h"
@@ -36,6 +37,7 @@ void vtkOpenGLFlatBlockRayCaster::SetMemoryCounter(flatblock::MemoryCounter* cou
 {
   this->TransferTable->SetMemoryCounter(counter);
   this->SkipTexture->SetMemoryCounter(counter);
+  this->BrickRanges->SetMemoryCounter(counter);
   this->SceneDepth->SetMemoryCounter(counter);
   this->RayImage->SetMemoryCounter(counter);
 }
@@ -101,6 +103,18 @@ bool vtkOpenGLFlatBlockRayCaster::HasSkipMap() const
   return this->SkipTexture->IsUploaded();
 }
 
+bool vtkOpenGLFlatBlockRayCaster::SetBrickRanges(
+  vtkOpenGLRenderWindow* window, const std::vector<flatblock::TexelRange>& ranges)
+{
+  this->BrickRanges->ReleaseGraphicsResources(window);
+  return ranges.empty() || this->BrickRanges->Upload(window, ranges);
+}
+
+bool vtkOpenGLFlatBlockRayCaster::HasBrickRanges() const
+{
+  return this->BrickRanges->IsUploaded();
+}
+
 void vtkOpenGLFlatBlockRayCaster::Finish()
 {
   glFinish();
@@ -163,6 +177,10 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
   {
     this->SkipTexture->Deactivate();
   }
+  if (scene.Sampling.HasBrickRanges)
+  {
+    this->BrickRanges->Deactivate();
+  }
   return isDrawn;
 }
 
@@ -222,6 +240,10 @@ void vtkOpenGLFlatBlockRayCaster::SetBlocks(vtkShaderProgram* program, const Sce
   program->SetUniform3f("in_AtlasTexel", texel);
   program->SetUniformi("in_CellsPerBlock", grid.GetCellsPerBlock());
   program->SetUniform1iv("in_Blocks", 3, grid.GetBlocks().data());
+  if (scene.Sampling.HasBrickRanges)
+  {
+    this->BrickRanges->Activate(program);
+  }
   if (scene.Sampling.CellsPerCube > 0)
   {
     this->SkipTexture->Activate(program);
@@ -293,6 +315,7 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->TransferTable->ReleaseGraphicsResources(window);
   this->SkipTexture->ReleaseGraphicsResources(window);
+  this->BrickRanges->ReleaseGraphicsResources(window);
   this->SceneDepth->ReleaseGraphicsResources(window);
   this->RayImage->ReleaseGraphicsResources(window);
 }

@@ -16,6 +16,7 @@
 
 class vtkMatrix4x4;
 class vtkOpenGLFlatBlockAtlas;
+class vtkOpenGLFlatBlockBrickRanges;
 class vtkOpenGLFlatBlockRayImage;
 class vtkOpenGLFlatBlockSceneDepth;
 class vtkOpenGLFlatBlockSkipTexture;
@@ -78,6 +79,13 @@ public:
   bool HasSkipMap() const;
 
   /**
+   * The same for the scales of bricks, of which a source may have none.
+   */
+  bool SetBrickRanges(
+    vtkOpenGLRenderWindow* window, const std::vector<flatblock::TexelRange>& ranges);
+  bool HasBrickRanges() const;
+
+  /**
    * Bytes of a transfer function, and of the image of rays where one is drawn.
    */
   static vtkTypeInt64 GetTableBytes(
@@ -124,6 +132,7 @@ private:
 
   vtkNew<vtkOpenGLFlatBlockTransferTable> TransferTable;
   vtkNew<vtkOpenGLFlatBlockSkipTexture> SkipTexture;
+  vtkNew<vtkOpenGLFlatBlockBrickRanges> BrickRanges;
   vtkNew<vtkOpenGLFlatBlockSceneDepth> SceneDepth;
   vtkNew<vtkOpenGLFlatBlockRayImage> RayImage;
 };

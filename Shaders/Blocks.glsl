@@ -7,18 +7,11 @@ uniform int in_CellsPerBlock;
 uniform vec3 in_AtlasTexel;       // 1 / texels an axis
 uniform float in_AdaptiveSampling; // 1: the step doubles a level, 0: it is the same everywhere
 
+#ifdef FLATBLOCK_BRICK_RANGES
+uniform sampler2D in_BrickRanges; // of a block's texels: lowest, and from there to the highest
+#endif
+
 const uint NotResident = 65535u;
-
-#ifdef FLATBLOCK_COUNTING
-int fetches = 0; // of textures along the ray: of the atlas, the index, the map of leaps and the table
-#endif
-
-void countFetches(int number)
-{
-#ifdef FLATBLOCK_COUNTING
-  fetches += number;
-#endif
-}
 
 struct Brick
 {
@@ -30,6 +23,9 @@ struct Brick
   int side;    // texels
   vec3 low;    // first and last texel, in the atlas
   vec3 high;
+#ifdef FLATBLOCK_BRICK_RANGES
+  vec2 range;
+#endif
 };
 
 Brick fetchBrick(ivec3 block)
@@ -47,6 +43,10 @@ Brick fetchBrick(ivec3 block)
   brick.side = (in_CellsPerBlock >> int(entry.w)) + 1;
   brick.low = (brick.origin + 0.5) * in_AtlasTexel;
   brick.high = (brick.origin + float(in_CellsPerBlock) * brick.scale + 0.5) * in_AtlasTexel;
+#ifdef FLATBLOCK_BRICK_RANGES
+  countFetches(1);
+  brick.range = texelFetch(in_BrickRanges, ivec2(number % width, number / width), 0).rg;
+#endif
   return brick;
 }
 
@@ -56,9 +56,19 @@ vec3 inBrick(Brick brick, vec3 position)
   return clamp((position - brick.first) * brick.scale, 0.0, float(brick.side - 1));
 }
 
+// A texel of the atlas, as if all bricks had one scale.
+float valueOfTexel(Brick brick, float texel)
+{
+#ifdef FLATBLOCK_BRICK_RANGES
+  return brick.range.x + brick.range.y * texel;
+#else
+  return texel;
+#endif
+}
+
 float texelOf(Brick brick, vec3 position)
 {
   countFetches(1);
   vec3 at = (brick.origin + (position - brick.first) * brick.scale + 0.5) * in_AtlasTexel;
-  return textureLod(in_Atlas, clamp(at, brick.low, brick.high), 0.0).r;
+  return valueOfTexel(brick, textureLod(in_Atlas, clamp(at, brick.low, brick.high), 0.0).r);
 }

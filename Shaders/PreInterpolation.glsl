@@ -17,7 +17,8 @@ Point pointAt(Brick brick, vec3 position)
     ivec3 offset = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
     vec3 weights = mix(1.0 - share, share, vec3(offset));
     countFetches(1);
-    float value = texelFetch(in_Atlas, ivec3(brick.origin + first) + offset, 0).r;
+    float value =
+      valueOfTexel(brick, texelFetch(in_Atlas, ivec3(brick.origin + first) + offset, 0).r);
     vec4 matter = matterAtPosition(positionInTable(value));
 #ifdef FLATBLOCK_HOLES
     point.isHole = point.isHole || isHole(value);

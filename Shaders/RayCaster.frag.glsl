@@ -6,6 +6,7 @@
 // in sample coordinates; distances along the ray are counted in steps, which are equally long in the
 // data set's own unit of length, whatever the spacing and the direction.
 
+//FlatBlock::Counting
 //FlatBlock::Ray
 //FlatBlock::Blocks
 //FlatBlock::Walk

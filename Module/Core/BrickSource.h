@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace flatblock
 {
@@ -30,6 +31,13 @@ struct TexelEncoding
   double Scale = 1.0;
 };
 
+/// Texels of a brick that are on a scale of their own: Lowest + Extent * texel is what it would be.
+struct TexelRange
+{
+  float Lowest = 0.0F;
+  float Extent = 0.0F;
+};
+
 /// What the samples of a coarser level are.
 enum class LevelFilter
 {
@@ -45,6 +53,13 @@ public:
   virtual ~BrickSource() = default;
   virtual const BlockGrid& GetGrid() const = 0;
   virtual const TexelEncoding& GetEncoding() const = 0;
+
+  /// Of all blocks; empty where all texels are on one scale.
+  virtual const std::vector<TexelRange>& GetRanges() const
+  {
+    static const std::vector<TexelRange> none;
+    return none;
+  }
 
   /// How borders meet coarser ones of the levels that this source makes.
   virtual Continuity GetContinuity() const = 0;

@@ -34,6 +34,7 @@ struct RaySampling
   double RayStart = 0.0;         ///< in world units from the eye, or the near plane
   double EnoughOpacity = 1.0;    ///< at which a ray ends
 
+  bool HasBrickRanges = false; ///< texels are on a scale of their brick
   bool CountsSamples = false;
 
   /// Whether samples and fetches of each ray are counted.

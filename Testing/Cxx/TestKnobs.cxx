@@ -75,7 +75,9 @@ TEST(Knobs, CostNothingWhereTheyAreOff)
     { "define FLATBLOCK_SKIPPING", 1, [](Scene& s) { s.Mapper->SetSkippingToCells(); } },
     { "in_LightDirection", 0, [](Scene& s) { s.Property->ShadeOn(); } },
     { "define FLATBLOCK_COUNTING", 2, [](Scene& s) { s.Mapper->CountSamplesOn(); } },
-    { "define FLATBLOCK_SAMPLE_LIMIT", 2, [](Scene& s) { s.Mapper->SetMaximumNumberOfSamples(50); } },
+    { "define FLATBLOCK_SAMPLE_LIMIT", 2,
+      [](Scene& s) { s.Mapper->SetMaximumNumberOfSamples(50); } },
+    { "define FLATBLOCK_BRICK_RANGES", 1, [](Scene& s) { s.Mapper->SetAtlasPrecisionTo8Bits(); } },
     { "define FLATBLOCK_JITTERING", 0, [](Scene& s) { s.Mapper->UseJitteringOn(); } },
     { "define FLATBLOCK_RAY_START", 0, [](Scene& s) { s.Mapper->SetRayStartOffset(1.0); } },
   };
@@ -137,6 +139,66 @@ TEST(VariationTolerance, CostsFourPercentOfTheAtlasAtMost)
   scene.Window->Render();
   EXPECT_LE(with - scene.Mapper->GetMemoryInBytes(), scene.Mapper->GetAtlasBytes() * 4 / 100);
   EXPECT_GT(with, scene.Mapper->GetMemoryInBytes());
+}
+
+// A sample is off by half a step of the block's range at most, and a ray as by a tolerance.
+TEST(AtlasPrecision, BoundsTheError)
+{
+  Scene scene;
+  ShowFog(scene);
+  scene.Mapper->SetBlockSize(17);
+  scene.Mapper->SetHomogeneousLeaps(false);
+  const Picture exact = DrawFloats(scene);
+  const vtkTypeInt64 bytes = scene.Mapper->GetUsedAtlasBytes();
+  constexpr double LargestRange = 480.0; // of a block of 16^3 cells, at most
+  double last = 0.0;
+  for (const int bits : { Mapper::BITS_8, Mapper::BITS_4, Mapper::BITS_1 })
+  {
+    scene.Mapper->SetAtlasPrecision(bits);
+    const double difference = LargestDifference(DrawFloats(scene), exact);
+    const double off = 0.5 * LargestRange / ((1 << bits) - 1);
+    const double extinction = -std::log1p(-0.02) * off / 1000.0;
+    constexpr double Length = 64.0 * 1.7320508;
+    std::cout << bits << " bits: error " << difference << "\n";
+    EXPECT_LE(difference, 0.6 * off / 1000.0 + 1.05 * extinction * Length + 1e-3);
+    EXPECT_GT(difference, last);
+    EXPECT_EQ(scene.Mapper->GetUsedAtlasBytes(), bytes / 4);
+    last = difference;
+  }
+  scene.Mapper->SetAtlasPrecisionToNative();
+  EXPECT_EQ(LargestDifference(DrawFloats(scene), exact), 0.0);
+}
+
+TEST(AtlasPrecision, IsThatOfTheBlockAtAllLevelsAndFilters)
+{
+  Scene scene;
+  ShowFog(scene);
+  scene.Mapper->SetBlockSize(17);
+  scene.Mapper->SetSkippingToNothing();
+  for (const int filter : { Mapper::SUBSAMPLE, Mapper::TENT })
+  {
+    scene.Mapper->SetLevelFilter(filter);
+    scene.Mapper->SetAtlasPrecisionToNative();
+    scene.Mapper->SetMaxMemoryInBytes(900000);
+    const Picture native = DrawFloats(scene);
+    const vtkTypeInt64 finest = scene.Mapper->GetNumberOfBricks(0);
+    EXPECT_LT(finest, scene.Mapper->GetNumberOfVisibleBlocks());
+    scene.Mapper->SetAtlasPrecisionTo8Bits();
+    const Picture few = DrawFloats(scene);
+    EXPECT_GT(scene.Mapper->GetNumberOfBricks(0), finest) << "more fit";
+    EXPECT_LE(RootMeanSquare(few, DrawReference(scene)),
+      RootMeanSquare(native, DrawReference(scene)) + 1e-4);
+  }
+}
+
+TEST(AtlasPrecision, RefusesWhatItDoesNotHave)
+{
+  vtkNew<Mapper> mapper;
+  mapper->SetAtlasPrecisionTo4Bits();
+  vtkObject::GlobalWarningDisplayOff();
+  mapper->SetAtlasPrecision(5);
+  vtkObject::GlobalWarningDisplayOn();
+  EXPECT_EQ(mapper->GetAtlasPrecision(), 4);
 }
 
 TEST(CountSamples, CountsWhatIsThere)

@@ -110,7 +110,7 @@ TEST(Sampling, ImagesOfRaysOfAnotherSize)
     std::cout << distance << " pixels a ray: " << psnr << " dB\n";
     EXPECT_GE(psnr, least) << distance;
     const double rays = std::pow(std::ceil(128.0 / distance), 2.0);
-    EXPECT_EQ(scene.Mapper->GetMemoryInBytes() - bytes, static_cast<vtkTypeInt64>(9.0 * rays));
+    EXPECT_EQ(scene.Mapper->GetMemoryInBytes() - bytes, static_cast<vtkTypeInt64>(8.0 * rays));
     EXPECT_EQ(scene.Mapper->GetUsedImageSampleDistance(), distance);
   }
   scene.Mapper->SetImageSampleDistance(1.0);

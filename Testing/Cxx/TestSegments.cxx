@@ -45,8 +45,8 @@ public:
     this->Window->Render();
     std::string source = ReadFile(FLATBLOCK_TEST_SHADERS "/Segments.frag.glsl");
     const std::string shaders = FLATBLOCK_SHADERS;
-    vtkShaderProgram::Substitute(
-      source, "//FlatBlock::TransferTable", ReadFile(shaders + "/TransferTable.glsl"));
+    vtkShaderProgram::Substitute(source, "//FlatBlock::TransferTable",
+      ReadFile(shaders + "/Counting.glsl") + ReadFile(shaders + "/TransferTable.glsl"));
     vtkShaderProgram::Substitute(
       source, "//FlatBlock::Classification", ReadFile(shaders + "/PreIntegrated.glsl"));
     this->Program = this->GetWindow()->GetShaderCache()->ReadyShaderProgram(
