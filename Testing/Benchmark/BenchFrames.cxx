@@ -62,18 +62,27 @@ void Play(Subject& subject, std::ofstream& stream, Progress& progress)
     stream << LogFrame(subject, frame, isStill ? "still" : "interactive", taken);
   }
 }
+
+void CheckStream(const std::ofstream& stream, const std::string& file)
+{
+  if (!stream)
+  {
+    throw std::runtime_error("--frames: cannot write '" + file + "'.");
+  }
+}
 } // namespace
 
 void PlayFrames(const BenchOptions& options, const std::vector<SelectedScene>& scenes)
 {
   std::ofstream stream(options.Frames);
-  stream << Head;
+  stream << Head << std::flush;
+  CheckStream(stream, options.Frames);
   Progress progress(scenes.size() * (Turn + 1));
   for (const SelectedScene& scene : scenes)
   {
     progress.BeginScene(scene.Scene.Name);
     const auto subject = scene.Scene.Make(options);
-    if (subject && stream)
+    if (subject)
     {
       subject->Shown.Window->SetSize(options.Window, options.Window);
       Play(*subject, stream, progress);
@@ -81,9 +90,6 @@ void PlayFrames(const BenchOptions& options, const std::vector<SelectedScene>& s
   }
   progress.End();
   stream.close();
-  if (!stream)
-  {
-    throw std::runtime_error("--frames: cannot write '" + options.Frames + "'.");
-  }
+  CheckStream(stream, options.Frames);
 }
 } // namespace flatblock::benchmarks

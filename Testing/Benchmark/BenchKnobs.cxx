@@ -14,6 +14,7 @@ struct Knob
 {
   std::string Name;
   std::vector<Value> Values;
+  bool IsWholeWhenQuick = false;
 };
 
 std::vector<Value> Steps(int classification)
@@ -87,8 +88,8 @@ std::vector<Knob> MakeKnobs()
 {
   using Ours = vtkFlatBlockVolumeMapper;
   return {
-    { "SampleDistance.PreIntegrated", Steps(Ours::PRE_INTEGRATED) },
-    { "SampleDistance.PostInterpolation", Steps(Ours::POST_INTERPOLATION) },
+    { "SampleDistance.PreIntegrated", Steps(Ours::PRE_INTEGRATED), true },
+    { "SampleDistance.PostInterpolation", Steps(Ours::POST_INTERPOLATION), true },
     { "SampleDistance.PreInterpolation", Steps(Ours::PRE_INTERPOLATION) },
     { "Memory", { MemoryPart(1), MemoryPart(2), MemoryPart(4), MemoryPart(8), MemoryPart(16) } },
     { "ImageSampleDistance", { ImageStep("0.5"), ImageStep("1"), ImageStep("2"), ImageStep("4") } },
@@ -109,7 +110,7 @@ std::vector<Point> ListOwnPoints(bool isQuick)
   std::vector<Point> points;
   for (const Knob& knob : MakeKnobs())
   {
-    for (std::size_t i = 0; i < knob.Values.size(); i += isQuick ? 2 : 1)
+    for (std::size_t i = 0; i < knob.Values.size(); i += isQuick && !knob.IsWholeWhenQuick ? 2 : 1)
     {
       points.push_back(
         { "vtkFlatBlockVolumeMapper", knob.Name, knob.Values[i].Name, knob.Values[i].Apply, {} });

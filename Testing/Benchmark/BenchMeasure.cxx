@@ -11,7 +11,7 @@ class Placed
 {
 public:
   Placed(Subject& subject, const Point& point, vtkTypeInt64 beside, vtkTypeInt64 bricks)
-    : Shown(subject), UpdateRate(point.UpdateRate)
+    : Shown(subject)
   {
     // DeepCopy() would add a gradient opacity.
     vtkVolumeProperty* property = subject.Shown.Property;
@@ -42,7 +42,6 @@ public:
   double Time()
   {
     this->Volume->VisibilityOn();
-    this->Shown.Shown.Window->SetDesiredUpdateRate(this->UpdateRate);
     const double taken = TimeFrame(this->Shown.Shown);
     this->Volume->VisibilityOff();
     return taken;
@@ -50,7 +49,6 @@ public:
 
   testing::Picture Draw()
   {
-    this->Shown.Shown.Window->SetDesiredUpdateRate(this->UpdateRate);
     const int* size = this->Shown.Shown.Window->GetSize();
     testing::FloatFramebuffer framebuffer(this->Shown.Shown.Window, size[0], size[1]);
     this->Mapper->Update();
@@ -81,7 +79,6 @@ private:
   }
 
   Subject& Shown;
-  double UpdateRate;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkVolumeProperty> Property;
   vtkSmartPointer<vtkVolumeMapper> Mapper;

@@ -2,11 +2,10 @@
 
 #include "vtkExtractVOI.h"
 #include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkImageResample.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiBlockVolumeMapper.h"
 #include "vtkSmartVolumeMapper.h"
-
-#include <type_traits>
 
 namespace flatblock::benchmarks
 {
@@ -37,60 +36,65 @@ Point GPUPoint(const char* knob, const char* value, double (*step)(Subject&, dou
     [=](Subject& s) { return MakeGPU(s, step(s, number), imageStep(number)); } };
 }
 
-// VTK has it from 9.2 on.
-template <typename Mapper, typename = void>
-struct HasLowResMode : std::false_type
+// What its mode of low resolution draws: a volume of so many times fewer samples along each axis.
+// VTK's OpenGL mapper never asks for the mode by itself, so the volume is given to it.
+Made MakeLowRes(Subject& subject, int times)
 {
-};
-template <typename Mapper>
-struct HasLowResMode<Mapper, std::void_t<decltype(std::declval<Mapper&>().SetLowResMode(1))>>
-  : std::true_type
-{
-};
-
-template <typename Mapper>
-Made MakeLowRes(Subject& subject)
-{
-  if constexpr (HasLowResMode<Mapper>::value)
+  vtkNew<vtkImageResample> resample;
+  resample->SetInputData(GetImage(subject));
+  for (int axis = 0; axis < 3; ++axis)
   {
-    auto mapper = vtkSmartPointer<Mapper>::New();
-    mapper->SetInputData(GetImage(subject));
-    mapper->SetRequestedRenderModeToGPU();
-    mapper->SetLowResMode(1);
-    return mapper;
+    resample->SetAxisMagnificationFactor(axis, 1.0 / times);
   }
-  else
-  {
-    return {}; // the caller says so
-  }
+  resample->Update();
+  auto mapper = vtkSmartPointer<vtkSmartVolumeMapper>::New();
+  mapper->SetInputData(resample->GetOutput());
+  mapper->SetRequestedRenderModeToGPU();
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->InteractiveAdjustSampleDistancesOff();
+  mapper->SetSampleDistance(static_cast<float>(0.5 * times * subject.Voxel));
+  return mapper;
 }
 
-// Two blocks along each axis, which share their border samples.
-Made MakeMultiBlock(Subject& subject)
+Point LowResPoint(int times)
+{
+  return { "vtkSmartVolumeMapper", "LowResolution", "1/" + std::to_string(times), {},
+    [times](Subject& s) { return MakeLowRes(s, times); } };
+}
+
+// Blocks along each axis, which share their border samples. The mapper sets no step and has no
+// limit of memory of its own: the blocks are its knob.
+Made MakeMultiBlock(Subject& subject, int along)
 {
   vtkImageData* image = GetImage(subject);
   int e[6];
   image->GetExtent(e);
   vtkNew<vtkMultiBlockDataSet> blocks;
-  for (unsigned int block = 0; block < 8; ++block)
+  for (int block = 0; block < along * along * along; ++block)
   {
+    const int at[3] = { block % along, block / along % along, block / along / along };
+    int part[6];
+    for (int i = 0; i < 3; ++i)
+    {
+      const int cells = e[2 * i + 1] - e[2 * i];
+      part[2 * i] = e[2 * i] + cells * at[i] / along;
+      part[2 * i + 1] = e[2 * i] + cells * (at[i] + 1) / along;
+    }
     vtkNew<vtkExtractVOI> cut;
     cut->SetInputData(image);
-    int part[6];
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      const int middle = (e[2 * i] + e[2 * i + 1]) / 2;
-      const bool isUpper = (block >> i & 1U) != 0;
-      part[2 * i] = isUpper ? middle : e[2 * i];
-      part[2 * i + 1] = isUpper ? e[2 * i + 1] : middle;
-    }
     cut->SetVOI(part);
     cut->Update();
-    blocks->SetBlock(block, cut->GetOutput());
+    blocks->SetBlock(static_cast<unsigned int>(block), cut->GetOutput());
   }
   auto mapper = vtkSmartPointer<vtkMultiBlockVolumeMapper>::New();
   mapper->SetInputDataObject(blocks);
   return mapper;
+}
+
+Point MultiBlockPoint(int along)
+{
+  return { "vtkMultiBlockVolumeMapper", "Blocks", std::to_string(along * along * along), {},
+    [along](Subject& s) { return MakeMultiBlock(s, along); } };
 }
 } // namespace
 
@@ -123,9 +127,11 @@ std::vector<Point> ListPeerPoints(bool isQuick)
   {
     points.push_back(GPUPoint("SamplesPerRay", value, samples, one));
   }
-  points.push_back(
-    { "vtkSmartVolumeMapper", "LowResMode", "on", {}, MakeLowRes<vtkSmartVolumeMapper> });
-  points.push_back({ "vtkMultiBlockVolumeMapper", "Blocks", "8", {}, MakeMultiBlock });
+  points.push_back(LowResPoint(2));
+  points.push_back(LowResPoint(4));
+  points.push_back(MultiBlockPoint(1));
+  points.push_back(MultiBlockPoint(2));
+  points.push_back(MultiBlockPoint(3));
   return points;
 }
 } // namespace flatblock::benchmarks

@@ -75,13 +75,14 @@ Series MakeFront(const char* name, const Look& look, const Selected& records)
   return series;
 }
 
+// A front of one point is no line.
 Chart ChartTimes(const std::string& scene, const Selected& records)
 {
   auto all = MakeMapperSeries(records, GetTime);
   for (const auto& front : { MakeFront("front of ours", Looks[0], SelectSide(records, true)),
          MakeFront("front of VTK's", Looks[1], SelectSide(records, false)) })
   {
-    if (!front.Points.empty())
+    if (front.Points.size() > 1)
     {
       all.push_back(front);
     }

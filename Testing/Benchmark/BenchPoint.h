@@ -24,13 +24,12 @@ struct Point
   std::string Value;
   std::function<void(Setting&)> Apply;                                ///< of ours
   std::function<vtkSmartPointer<vtkVolumeMapper>(Subject&)> MakePeer; ///< of all others
-  double UpdateRate = 1e-4; ///< frames a second that the window desires: those of a still picture
 
   bool IsOurs() const { return !this->MakePeer; }
   std::string GetName() const { return this->Mapper + "/" + this->Knob + "=" + this->Value; }
 };
 
-/// All settings of ours; every second value of a knob where `isQuick`.
+/// All settings of ours; every second value of most knobs where `isQuick`.
 std::vector<Point> ListOwnPoints(bool isQuick);
 std::vector<Point> ListPeerPoints(bool isQuick);
 
