@@ -85,7 +85,8 @@ std::size_t CountSteps(const std::vector<SelectedScene>& scenes)
 }
 } // namespace
 
-Results RunSweeps(const BenchOptions& options, const std::vector<SelectedScene>& scenes)
+Results RunSweeps(const BenchOptions& options, const std::vector<SelectedScene>& scenes,
+  const std::function<void(const Results&)>& keep)
 {
   Results results;
   results.Options = options;
@@ -104,6 +105,7 @@ Results RunSweeps(const BenchOptions& options, const std::vector<SelectedScene>&
     results.OpenGL = GetOpenGL(subject->Shown.Window);
     results.Scenes.push_back({ subject->Name, subject->Description });
     Sweep(*subject, scene.Points, results, progress).Run();
+    keep(results);
   }
   progress.End();
   return results;

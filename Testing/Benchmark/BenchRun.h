@@ -6,5 +6,7 @@
 
 namespace flatblock::benchmarks
 {
-Results RunSweeps(const BenchOptions& options, const std::vector<SelectedScene>& scenes);
+/// Calls `keep` after each scene, so that a run that is cut off leaves something.
+Results RunSweeps(const BenchOptions& options, const std::vector<SelectedScene>& scenes,
+  const std::function<void(const Results&)>& keep);
 } // namespace flatblock::benchmarks

@@ -41,7 +41,8 @@ void PrintPoints(const std::vector<SelectedScene>& scenes)
 void Sweep(const BenchOptions& options, const std::vector<SelectedScene>& scenes)
 {
   PrepareFolder(options.Output);
-  const Results results = RunSweeps(options, scenes);
+  const Results results =
+    RunSweeps(options, scenes, [&](const Results& some) { WriteData(some, options.Output); });
   WriteData(results, options.Output);
   WriteReport(results, options.Output);
   if (!results.Equal.empty())
