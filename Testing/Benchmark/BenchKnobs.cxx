@@ -58,10 +58,18 @@ Value Threshold(const char* opacity)
     [opacity](Setting& s) { s.Mapper->SetEarlyTerminationThreshold(std::stod(opacity)); } };
 }
 
-Value Samples(int count)
+std::vector<Value> Samples(int classification)
 {
-  return { std::to_string(count),
-    [count](Setting& s) { s.Mapper->SetSampleDistance(GetStepForSamples(s.Shown, count)); } };
+  std::vector<Value> values;
+  for (int count : { 40, 60, 80, 120 })
+  {
+    values.push_back({ std::to_string(count), [classification, count](Setting& s)
+      {
+        s.Mapper->SetClassification(classification);
+        s.Mapper->SetSampleDistance(GetStepForSamples(s.Shown, count));
+      } });
+  }
+  return values;
 }
 
 // A filter shows only where there are coarse bricks.
@@ -100,7 +108,8 @@ std::vector<Knob> MakeKnobs()
     { "AdaptiveSampling", { Adaptive("on", true), Adaptive("off", false) } },
     { "Jittering",
       { { "on", [](Setting& s) { s.Mapper->UseJitteringOn(); } }, { "off", [](Setting&) {} } } },
-    { "SamplesPerRay", { Samples(40), Samples(60), Samples(80), Samples(120) } },
+    { "SamplesPerRay.PreIntegrated", Samples(Ours::PRE_INTEGRATED) },
+    { "SamplesPerRay.PostInterpolation", Samples(Ours::POST_INTERPOLATION) },
   };
 }
 } // namespace
