@@ -180,7 +180,8 @@ std::vector<BenchScene> ListScenes(const BenchOptions& options)
   };
   if (!options.Input.empty())
   {
-    scenes.push_back({ "input", MakeInput, true });
+    // First, so that a file which can't be read is told of at once.
+    scenes.insert(scenes.begin(), { "input", MakeInput, true });
   }
   if (options.IsQuick)
   {
