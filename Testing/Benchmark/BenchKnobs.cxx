@@ -1,0 +1,130 @@
+#include "BenchPoint.h"
+
+namespace flatblock::benchmarks
+{
+namespace
+{
+struct Value
+{
+  std::string Name;
+  std::function<void(Setting&)> Apply;
+};
+
+struct Knob
+{
+  std::string Name;
+  std::vector<Value> Values;
+  bool IsWholeWhenQuick = false;
+};
+
+std::vector<Value> Steps(int classification)
+{
+  std::vector<Value> values;
+  for (const char* step : { "4", "2", "1", "0.5", "0.25" })
+  {
+    values.push_back({ step, [classification, step](Setting& s)
+      {
+        s.Mapper->SetClassification(classification);
+        s.Mapper->SetSampleDistance(std::stod(step) * s.Shown.Voxel);
+      } });
+  }
+  return values;
+}
+
+// Of what all bricks take at their finest level, with what lies beside them.
+void LimitMemory(Setting& setting, int part)
+{
+  setting.Mapper->SetMaxMemoryInBytes(setting.BytesBeside + setting.BytesOfBricks / part);
+}
+
+Value MemoryPart(int part)
+{
+  return { "1/" + std::to_string(part), [part](Setting& s) { LimitMemory(s, part); } };
+}
+
+Value ImageStep(const char* pixels)
+{
+  return { pixels, [pixels](Setting& s) { s.Mapper->SetImageSampleDistance(std::stod(pixels)); } };
+}
+
+Value Block(int side)
+{
+  return { std::to_string(side), [side](Setting& s) { s.Mapper->SetBlockSize(side); } };
+}
+
+Value Threshold(const char* opacity)
+{
+  return { opacity,
+    [opacity](Setting& s) { s.Mapper->SetEarlyTerminationThreshold(std::stod(opacity)); } };
+}
+
+std::vector<Value> Samples(int classification)
+{
+  std::vector<Value> values;
+  for (int count : { 40, 60, 80, 120 })
+  {
+    values.push_back({ std::to_string(count), [classification, count](Setting& s)
+      {
+        s.Mapper->SetClassification(classification);
+        s.Mapper->SetSampleDistance(GetStepForSamples(s.Shown, count));
+      } });
+  }
+  return values;
+}
+
+// A filter shows only where there are coarse bricks.
+Value CoarseBy(const char* name, int filter)
+{
+  return { name, [filter](Setting& s)
+    {
+      LimitMemory(s, 8);
+      s.Mapper->SetLevelFilter(filter);
+    } };
+}
+
+Value Adaptive(const char* name, bool isOn)
+{
+  return { name, [isOn](Setting& s)
+    {
+      LimitMemory(s, 8);
+      s.Mapper->SetAdaptiveSampling(isOn);
+    } };
+}
+
+// One line a knob; each value begins from the mapper's defaults.
+std::vector<Knob> MakeKnobs()
+{
+  using Ours = vtkFlatBlockVolumeMapper;
+  return {
+    { "SampleDistance.PreIntegrated", Steps(Ours::PRE_INTEGRATED), true },
+    { "SampleDistance.PostInterpolation", Steps(Ours::POST_INTERPOLATION), true },
+    { "SampleDistance.PreInterpolation", Steps(Ours::PRE_INTERPOLATION) },
+    { "Memory", { MemoryPart(1), MemoryPart(2), MemoryPart(4), MemoryPart(8), MemoryPart(16) } },
+    { "ImageSampleDistance", { ImageStep("0.5"), ImageStep("1"), ImageStep("2"), ImageStep("4") } },
+    { "BlockSize", { Block(17), Block(33), Block(65) } },
+    { "LevelFilter", { CoarseBy("Subsample", Ours::SUBSAMPLE), CoarseBy("Tent", Ours::TENT) } },
+    { "EarlyTermination", { { "default", [](Setting&) {} }, Threshold("0.9"), Threshold("1"),
+                            Threshold("0.95"), Threshold("0.99") } },
+    { "AdaptiveSampling", { Adaptive("on", true), Adaptive("off", false) } },
+    { "Jittering",
+      { { "on", [](Setting& s) { s.Mapper->UseJitteringOn(); } }, { "off", [](Setting&) {} } } },
+    { "SamplesPerRay.PreIntegrated", Samples(Ours::PRE_INTEGRATED) },
+    { "SamplesPerRay.PostInterpolation", Samples(Ours::POST_INTERPOLATION) },
+  };
+}
+} // namespace
+
+std::vector<Point> ListOwnPoints(bool isQuick)
+{
+  std::vector<Point> points;
+  for (const Knob& knob : MakeKnobs())
+  {
+    for (std::size_t i = 0; i < knob.Values.size(); i += isQuick && !knob.IsWholeWhenQuick ? 2 : 1)
+    {
+      points.push_back(
+        { "vtkFlatBlockVolumeMapper", knob.Name, knob.Values[i].Name, knob.Values[i].Apply, {} });
+    }
+  }
+  return points;
+}
+} // namespace flatblock::benchmarks
