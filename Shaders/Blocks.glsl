@@ -38,8 +38,9 @@ Brick fetchBrick(ivec3 block)
   brick.resident = entry.w != NotResident;
   brick.origin = vec3(entry.xyz);
   brick.first = vec3(block * in_CellsPerBlock);
-  brick.scale = exp2(-float(entry.w));
-  brick.step = mix(1.0, exp2(float(entry.w)), in_AdaptiveSampling);
+  float stride = float(1 << min(int(entry.w), 16));
+  brick.scale = 1.0 / stride;
+  brick.step = mix(1.0, stride, in_AdaptiveSampling);
   brick.side = (in_CellsPerBlock >> int(entry.w)) + 1;
   brick.low = (brick.origin + 0.5) * in_AtlasTexel;
   brick.high = (brick.origin + float(in_CellsPerBlock) * brick.scale + 0.5) * in_AtlasTexel;

@@ -30,6 +30,7 @@ struct Ray
 {
   vec3 origin;
   vec3 direction;
+  vec3 inverse; // of the direction
   float begin;
   float end;
   float unit; // lengths of the step that was asked for in one step
@@ -64,6 +65,7 @@ Ray rayThroughBox()
   ray.unit = max(1.0, LeastAdvance / advance);
   ray.origin = in_PixelToOrigin * screen;
   ray.direction = withoutZeros(direction * ray.unit);
+  ray.inverse = 1.0 / ray.direction;
   vec3 toNearCorner = -ray.origin / ray.direction;
   vec3 toFarCorner = (in_LastSample - ray.origin) / ray.direction;
   vec3 entries = min(toNearCorner, toFarCorner);

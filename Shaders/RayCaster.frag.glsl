@@ -160,7 +160,8 @@ void gather(inout Gathered gathered, Ray ray, vec3 origin, Brick brick, Stretch 
   }
 }
 
-// Over what looks all the same, in one piece, to the last point.
+// Over what looks all the same, in one piece, to the last point. Loops that end after one turn are
+// passed by where no ray of a group of pixels enters them, other than what is conditional.
 void leap(inout Gathered gathered, Ray ray, Brick brick, Stretch stretch)
 {
 #ifdef FLATBLOCK_SKIPPING
@@ -168,12 +169,17 @@ void leap(inout Gathered gathered, Ray ray, Brick brick, Stretch stretch)
   last = stretch.isToEnd ? stretch.exit : last;
   if (!stretch.isVaried && hasPoint(gathered, stretch) && last > gathered.at)
   {
-    float length = stretch.isMatter ? last - gathered.at : 0.0;
-    vec4 layer = layerOf(gathered.front.matter, length * ray.unit * in_StepLength);
+    bool isMatter = stretch.isMatter;
+    while (isMatter)
+    {
+      vec4 layer =
+        layerOf(gathered.front.matter, (last - gathered.at) * ray.unit * in_StepLength);
 #ifdef FLATBLOCK_SHADING
-    layer.rgb = layer.rgb * gathered.light.reflected + layer.a * gathered.light.specular;
+      layer.rgb = layer.rgb * gathered.light.reflected + layer.a * gathered.light.specular;
 #endif
-    gathered.color = composite(gathered.color, layer);
+      gathered.color = composite(gathered.color, layer);
+      isMatter = false;
+    }
     gathered.at = last;
     gathered.next = last + brick.step; // the lattice has one, or the ray ends here
     gathered.isLost = true;
@@ -192,7 +198,8 @@ Gathered march(Ray ray)
   vec3 origin = ray.origin + (ray.begin - phase) * ray.direction;
   float end = ray.end - ray.begin + phase;
   Walk walk = enterCubes(ray);
-  Brick brick = fetchBrick(blockOf(walk));
+  ivec3 block = blockOf(walk);
+  Brick brick = fetchBrick(block);
   bool wasResident = false;
 
   Gathered gathered;
@@ -228,16 +235,26 @@ Gathered march(Ray ray)
       }
       gathered.next = min(gathered.next, first > gathered.at ? first : first + brick.step);
     }
-    vec3 borders = distancesToBorders(walk, ray);
-    stretch.exit = min(nearestOf(borders) - ray.begin + phase, end);
     stretch.isVaried = !walk.isPlain;
     stretch.isMatter = walk.isMatter;
-    Brick beyond = brick;
-    beyond.resident = false;
-    isInside = stretch.exit < end && crossBorder(walk, ray, borders);
-    if (isInside)
+    bool isRun = true; // through what is as transparent, of this block or of those without a brick
+    while (isRun)
     {
-      beyond = fetchBrick(blockOf(walk));
+      vec3 borders = distancesToBorders(walk, ray);
+      stretch.exit = min(nearestOf(borders) - ray.begin + phase, end);
+      isInside = stretch.exit < end && crossBorder(walk, ray, borders);
+      bool isSame = blockOf(walk) == block || (walk.isHidden && !brick.resident);
+      isRun = isInside && isSame && !stretch.isVaried && !stretch.isMatter && walk.isPlain &&
+        !walk.isMatter;
+    }
+    Brick beyond = brick;
+    bool isOther = isInside && blockOf(walk) != block;
+    beyond.resident = isInside && brick.resident;
+    while (isOther)
+    {
+      block = blockOf(walk);
+      beyond = fetchBrick(block);
+      isOther = false;
     }
     if (brick.resident)
     {

@@ -43,7 +43,8 @@ float valueAround(Brick brick, vec3 middle, inout vec3 position)
   return texel;
 }
 
-// In texels a sample.
+// In texels a sample. What lies beyond the brick is looked up one after the other: most rays of a
+// group of pixels have nothing there, and the loop is passed by where none has.
 vec3 gradientAt(Brick brick, vec3 position)
 {
   float reach = 1.0 / brick.scale;
@@ -52,10 +53,6 @@ vec3 gradientAt(Brick brick, vec3 position)
   vec3 middle = clamp(position, first, last);
   vec3 low;
   vec3 high;
-  bool isAcross = any(lessThan(middle - reach, first)) || any(greaterThan(middle + reach, last));
-#ifdef FLATBLOCK_HOLES
-  isAcross = true;
-#endif
   for (int axis = 0; axis < 3; ++axis)
   {
     vec3 step = vec3(axis == 0 ? reach : 0.0, axis == 1 ? reach : 0.0, axis == 2 ? reach : 0.0);
@@ -63,20 +60,27 @@ vec3 gradientAt(Brick brick, vec3 position)
     high[axis] = texelOf(brick, middle + step);
   }
   vec3 lengths = vec3(2.0 * reach);
-  while (isAcross)
+  vec3 isBefore = vec3(lessThan(middle - reach, first));
+  vec3 isBehind = vec3(greaterThan(middle + reach, last));
+#ifdef FLATBLOCK_HOLES
+  isBefore = vec3(1.0);
+  isBehind = vec3(1.0);
+#endif
+  while (dot(isBefore + isBehind, vec3(1.0)) > 0.0)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      vec3 step = vec3(axis == 0 ? reach : 0.0, axis == 1 ? reach : 0.0, axis == 2 ? reach : 0.0);
-      vec3 before = middle - step;
-      vec3 behind = middle + step;
-      low[axis] = valueAround(brick, middle, before);
-      high[axis] = valueAround(brick, middle, behind);
-      lengths[axis] = max(behind[axis] - before[axis], 1e-3);
-    }
-    isAcross = false;
+    bool isLow = dot(isBefore, vec3(1.0)) > 0.0;
+    vec3 sides = isLow ? isBefore : isBehind;
+    vec3 axis = sides.x > 0.0 ? vec3(1.0, 0.0, 0.0)
+                              : (sides.y > 0.0 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0));
+    vec3 there = middle + axis * (isLow ? -reach : reach);
+    float value = valueAround(brick, middle, there);
+    low = isLow ? mix(low, vec3(value), axis) : low;
+    high = isLow ? high : mix(high, vec3(value), axis);
+    lengths += axis * (abs(dot(there - middle, axis)) - reach);
+    isBefore -= isLow ? axis : vec3(0.0);
+    isBehind -= isLow ? vec3(0.0) : axis;
   }
-  return (high - low) / lengths;
+  return (high - low) / max(lengths, 1e-3);
 }
 
 Light lightOn(vec3 gradient, vec3 view)

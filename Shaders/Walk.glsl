@@ -19,6 +19,7 @@ struct Walk
   ivec3 last;
   bool isPlain;  // what is in them looks all the same,
   bool isMatter; // and is not transparent
+  bool isHidden; // no brick holds it
 };
 
 int cellsPerCube()
@@ -60,13 +61,13 @@ void lookAround(inout Walk walk)
   int kind = texel >> 6;
   ivec3 around = ivec3((texel & 63) - 1);
   ivec3 block = blockOf(walk);
-  bool isHidden = kind == Hidden;
-  ivec3 firstBlock = isHidden ? block - around : block;
-  ivec3 lastBlock = isHidden ? block + around : block;
+  walk.isHidden = kind == Hidden;
+  ivec3 firstBlock = walk.isHidden ? block - around : block;
+  ivec3 lastBlock = walk.isHidden ? block + around : block;
   ivec3 first = firstBlock << in_CubesPerBlock;
   ivec3 last = ((lastBlock + 1) << in_CubesPerBlock) - 1;
-  walk.first = isHidden ? first : max(walk.cube - around, first);
-  walk.last = isHidden ? last : min(walk.cube + around, last);
+  walk.first = walk.isHidden ? first : max(walk.cube - around, first);
+  walk.last = walk.isHidden ? last : min(walk.cube + around, last);
   walk.isPlain = kind != Varying;
   walk.isMatter = kind == Constant;
 #endif
@@ -75,7 +76,7 @@ void lookAround(inout Walk walk)
 Walk enterCubes(Ray ray)
 {
   vec3 entry = ray.origin + ray.begin * ray.direction;
-  Walk walk = Walk(ivec3(0), ivec3(0), ivec3(0), false, false);
+  Walk walk = Walk(ivec3(0), ivec3(0), ivec3(0), false, false, false);
   walk.cube = clamp(ivec3(floor(entry / float(cellsPerCube()))), ivec3(0), cubesAnAxis() - 1);
   lookAround(walk);
   return walk;
@@ -84,9 +85,8 @@ Walk enterCubes(Ray ray)
 // Distances along the ray to where it leaves the cubes around, for each axis.
 vec3 distancesToBorders(Walk walk, Ray ray)
 {
-  vec3 isUp = step(0.0, ray.direction);
-  vec3 borders = mix(vec3(walk.first), vec3(walk.last + 1), isUp);
-  return (borders * float(cellsPerCube()) - ray.origin) / ray.direction;
+  vec3 borders = mix(vec3(walk.first), vec3(walk.last + 1), step(0.0, ray.direction));
+  return (borders * float(cellsPerCube()) - ray.origin) * ray.inverse;
 }
 
 float nearestOf(vec3 distances)
@@ -98,13 +98,12 @@ float nearestOf(vec3 distances)
 // others the ray is where it is, within the box.
 bool crossBorder(inout Walk walk, Ray ray, vec3 borders)
 {
-  int axis = borders.x <= borders.y && borders.x <= borders.z ? 0 : (borders.y <= borders.z ? 1 : 2);
-  vec3 position = ray.origin + borders[axis] * ray.direction;
-  ivec3 last = cubesAnAxis() - 1;
-  ivec3 cube = clamp(ivec3(floor(position / float(cellsPerCube()))), walk.first, walk.last);
-  cube[axis] = ray.direction[axis] > 0.0 ? walk.last[axis] + 1 : walk.first[axis] - 1;
-  bool isInside = cube[axis] >= 0 && cube[axis] <= last[axis];
-  walk.cube = clamp(cube, ivec3(0), last);
+  float nearest = nearestOf(borders);
+  vec3 position = (ray.origin + nearest * ray.direction) / float(cellsPerCube());
+  vec3 inside = clamp(floor(position), vec3(walk.first), vec3(walk.last));
+  vec3 beyond = mix(vec3(walk.first - 1), vec3(walk.last + 1), step(0.0, ray.direction));
+  vec3 cube = mix(inside, beyond, step(borders, vec3(nearest)));
+  walk.cube = ivec3(clamp(cube, vec3(0.0), vec3(cubesAnAxis() - 1)));
   lookAround(walk);
-  return isInside;
+  return vec3(walk.cube) == cube;
 }

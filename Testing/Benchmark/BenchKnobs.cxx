@@ -91,6 +91,34 @@ Value Adaptive(const char* name, bool isOn)
     } };
 }
 
+double GetSpan(const Setting& s)
+{
+  double range[2];
+  vtkImageData::SafeDownCast(s.Shown.Shown.Mapper->GetInputDataObject(0, 0))->GetScalarRange(range);
+  return range[1] - range[0];
+}
+
+Value Tolerance(const char* name, double share)
+{
+  return { name, [share](Setting& s) { s.Mapper->SetVariationTolerance(share * GetSpan(s)); } };
+}
+
+Value Precision(const char* name, int bits)
+{
+  return { name, [bits](Setting& s) { s.Mapper->SetAtlasPrecision(bits); } };
+}
+
+Value Skip(const char* name, int skipping)
+{
+  return { name, [skipping](Setting& s) { s.Mapper->SetSkipping(skipping); } };
+}
+
+Value Light(const char* threshold)
+{
+  return { threshold,
+    [threshold](Setting& s) { s.Mapper->SetShadingOpacityThreshold(std::stod(threshold)); } };
+}
+
 // One line a knob; each value begins from the mapper's defaults.
 std::vector<Knob> MakeKnobs()
 {
@@ -108,6 +136,15 @@ std::vector<Knob> MakeKnobs()
     { "AdaptiveSampling", { Adaptive("on", true), Adaptive("off", false) } },
     { "Jittering",
       { { "on", [](Setting& s) { s.Mapper->UseJitteringOn(); } }, { "off", [](Setting&) {} } } },
+    { "Skipping", { Skip("nothing", Ours::SKIP_NOTHING), Skip("blocks", Ours::SKIP_BLOCKS),
+                    Skip("cells", Ours::SKIP_CELLS) } },
+    { "HomogeneousLeaps", { { "off", [](Setting& s) { s.Mapper->HomogeneousLeapsOff(); } },
+                            { "on", [](Setting& s) { s.Mapper->HomogeneousLeapsOn(); } } } },
+    { "VariationTolerance", { Tolerance("0", 0.0), Tolerance("1/256", 1.0 / 256.0),
+                              Tolerance("1/64", 1.0 / 64.0), Tolerance("1/16", 1.0 / 16.0) } },
+    { "AtlasPrecision",
+      { Precision("native", 0), Precision("8", 8), Precision("4", 4), Precision("1", 1) } },
+    { "ShadingOpacityThreshold", { Light("0"), Light("0.001"), Light("0.01") } },
     { "SamplesPerRay.PreIntegrated", Samples(Ours::PRE_INTEGRATED) },
     { "SamplesPerRay.PostInterpolation", Samples(Ours::POST_INTERPOLATION) },
   };

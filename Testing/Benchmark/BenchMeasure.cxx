@@ -19,6 +19,11 @@ public:
     this->Property->SetScalarOpacity(property->GetScalarOpacity());
     this->Property->SetScalarOpacityUnitDistance(property->GetScalarOpacityUnitDistance());
     this->Property->SetInterpolationType(property->GetInterpolationType());
+    this->Property->SetShade(property->GetShade());
+    this->Property->SetAmbient(property->GetAmbient());
+    this->Property->SetDiffuse(property->GetDiffuse());
+    this->Property->SetSpecular(property->GetSpecular());
+    this->Property->SetSpecularPower(property->GetSpecularPower());
     this->Mapper = point.IsOurs() ? this->MakeOurs(point, beside, bricks) : point.MakePeer(subject);
     if (!this->Mapper)
     {
@@ -139,6 +144,10 @@ Record Bench::Measure(const Point& point)
   if (auto* ours = placed.GetOurs())
   {
     record.Bytes = double(ours->GetMemoryInBytes());
+    ours->CountSamplesOn();
+    placed.Time();
+    record.SamplesPerRay = ours->GetSamplesPerRay();
+    record.FetchesPerRay = ours->GetFetchesPerRay();
   }
   record.Error = CompareWithReference(this->Shown, drawn);
   record.Width = this->Shown.GetWidth();

@@ -14,6 +14,16 @@ namespace
 {
 using MadeSubject = std::unique_ptr<Subject>;
 
+// As medical viewers light theirs.
+void Light(testing::Scene& scene)
+{
+  scene.Property->ShadeOn();
+  scene.Property->SetAmbient(0.2);
+  scene.Property->SetDiffuse(0.8);
+  scene.Property->SetSpecular(0.3);
+  scene.Property->SetSpecularPower(20.0);
+}
+
 MadeSubject MakeHead(const BenchOptions&)
 {
   const auto mri = testing::ReadMRI();
@@ -25,10 +35,12 @@ MadeSubject MakeHead(const BenchOptions&)
   cast->SetInputData(*mri);
   cast->SetOutputScalarTypeToUnsignedShort();
   cast->Update();
-  auto subject = MakeSubject("MRI", "ch2better of `mricron-data`, as 16 bit", cast->GetOutput());
+  auto subject =
+    MakeSubject("MRI", "ch2better of `mricron-data`, as 16 bit, shaded", cast->GetOutput());
   subject->Shown.SetOpacity({ { 40.0, 0.0 }, { 100.0, 0.05 }, { 160.0, 0.3 } });
   subject->Shown.SetColor(
     { { 40.0, 0.5, 0.3, 0.2 }, { 100.0, 0.9, 0.7, 0.5 }, { 160.0, 1.0, 1.0, 0.9 } });
+  Light(subject->Shown);
   return subject;
 }
 
@@ -53,6 +65,7 @@ MadeSubject MakeCt(const BenchOptions& options, bool isBone)
   {
     subject->Shown.SetOpacity({ { zero + 200.0, 0.0 }, { zero + 500.0, 0.5 } });
     subject->Shown.SetColor({ { zero + 200.0, 0.8, 0.5, 0.4 }, { zero + 900.0, 1.0, 1.0, 0.9 } });
+    Light(subject->Shown);
     return subject;
   }
   subject->Shown.SetOpacity(
