@@ -4,6 +4,7 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
 
+#include "FlatBlockAdaptiveImageGLSL.h"
 #include "FlatBlockBlocksGLSL.h"
 #include "FlatBlockClassifiedPointGLSL.h"
 #include "FlatBlockCountingGLSL.h"
@@ -44,6 +45,7 @@ std::string GetDefines(const RaySampling& sampling, bool hasHoles, bool hasLongS
   define(sampling.HasBrickRanges, "FLATBLOCK_BRICK_RANGES");
   define(sampling.CellsPerCube > 0, "FLATBLOCK_SKIPPING");
   define(sampling.Jittering, "FLATBLOCK_JITTERING");
+  define(sampling.RefinesImage, "FLATBLOCK_ADAPTIVE_IMAGE");
   define(sampling.IsShaded, "FLATBLOCK_SHADING");
   define(sampling.HasCounts(), "FLATBLOCK_COUNTING");
   define(sampling.MostSamples > 0, "FLATBLOCK_SAMPLE_LIMIT");
@@ -61,6 +63,7 @@ vtkShaderProgram* ReadyRayCaster(
   insert("//FlatBlock::Defines", GetDefines(sampling, hasHoles, hasLongSums));
   insert("//FlatBlock::Counting", FlatBlockCountingGLSL);
   insert("//FlatBlock::Ray", FlatBlockRayGLSL);
+  insert("//FlatBlock::AdaptiveImage", sampling.RefinesImage ? FlatBlockAdaptiveImageGLSL : "");
   insert("//FlatBlock::Blocks", FlatBlockBlocksGLSL);
   insert("//FlatBlock::Walk", FlatBlockWalkGLSL);
   insert("//FlatBlock::TransferTable", FlatBlockTransferTableGLSL);

@@ -39,6 +39,10 @@ void vtkFlatBlockRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Skipping: " << skippings[this->Skipping] << "\n";
   os << indent << "HomogeneousLeaps: " << this->HomogeneousLeaps << "\n";
   os << indent << "AtlasPrecision: " << this->AtlasPrecision << "\n";
+  os << indent << "SampleDistanceInVoxels: " << this->SampleDistanceInVoxels << "\n";
+  os << indent << "AdaptiveImageSampling: " << this->AdaptiveImageSampling << "\n";
+  os << indent << "ImageSamplingTolerance: " << this->ImageSamplingTolerance << "\n";
+  os << indent << "FrameTimeGoal: " << this->FrameTimeGoal << "\n";
   os << indent << "VariationTolerance: " << this->VariationTolerance << "\n";
   os << indent << "Profiling: " << this->Profiling << "\n";
   os << indent << "CountSamples: " << this->CountSamples << "\n";

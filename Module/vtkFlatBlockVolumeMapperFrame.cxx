@@ -73,7 +73,8 @@ void vtkFlatBlockVolumeMapper::DrawRays(vtkRenderer* renderer, vtkVolume* volume
   in.Statistics.DrawMilliseconds = milliseconds;
   if (adjusts)
   {
-    this->AdjustInteractiveFactor(1e-3 * milliseconds, volume->GetAllocatedRenderTime());
+    this->AdjustInteractiveFactor(1e-3 * milliseconds,
+      this->FrameTimeGoal > 0.0 ? this->FrameTimeGoal : volume->GetAllocatedRenderTime());
   }
 }
 

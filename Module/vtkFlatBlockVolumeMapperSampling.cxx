@@ -46,7 +46,8 @@ double vtkFlatBlockVolumeMapper::GetStep()
   {
     return this->SpacingAdjustedSampleDistance(input.Image->GetSpacing(), input.Image->GetExtent());
   }
-  return this->SampleDistance > 0.0 ? this->SampleDistance : 0.5 * input.SmallestSpacing;
+  return this->SampleDistance > 0.0 ? this->SampleDistance
+                                    : this->SampleDistanceInVoxels * input.SmallestSpacing;
 }
 
 void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* volume)
@@ -75,6 +76,10 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   sampling.CountsSamples = this->CountSamples;
   sampling.RayStart = this->RayStartOffset;
   sampling.EnoughOpacity = this->EarlyTerminationThreshold;
+  sampling.ImageTolerance = this->ImageSamplingTolerance;
+  sampling.RefinesImage =
+    this->AdaptiveImageSampling && flatblock::IsInteractive(renderer) && !sampling.HasCounts();
+  sampling.PixelsPerRay = sampling.RefinesImage ? 1.0 : sampling.PixelsPerRay;
 }
 
 // Of the image of rays; where interactive frames may have one, it is kept free for it, so that the
@@ -84,10 +89,15 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetImageBytes(vtkRenderer* renderer) cons
   const flatblock::RaySampling& sampling = this->Internals->Sampling;
   flatblock::RaySampling interactive = sampling;
   interactive.PixelsPerRay = LeastInteractiveFactor;
+  flatblock::RaySampling refined = sampling;
+  refined.RefinesImage = this->AdaptiveImageSampling;
   const bool mayAdjust =
     this->AutoAdjustSampleDistances && this->MaximumImageSampleDistance >= LeastInteractiveFactor;
-  return flatblock::RoundUp(std::max(vtkOpenGLFlatBlockRayCaster::GetImageBytes(renderer, sampling),
-    mayAdjust ? vtkOpenGLFlatBlockRayCaster::GetImageBytes(renderer, interactive) : 0));
+  return flatblock::RoundUp(
+    std::max({ vtkOpenGLFlatBlockRayCaster::GetImageBytes(renderer, sampling),
+      vtkOpenGLFlatBlockRayCaster::GetImageBytes(renderer, refined),
+      mayAdjust ? vtkOpenGLFlatBlockRayCaster::GetImageBytes(renderer, interactive)
+                : vtkTypeInt64(0) }));
 }
 
 // Time goes with the rays along both axes of the picture and the samples along each.

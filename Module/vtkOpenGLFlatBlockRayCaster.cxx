@@ -60,7 +60,7 @@ vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetImageBytes(
   vtkRenderer* renderer, const flatblock::RaySampling& sampling)
 {
   return sampling.HasImage() ? vtkOpenGLFlatBlockRayImage::GetBytes(
-                                 renderer, sampling.PixelsPerRay, sampling.HasCounts())
+                                 renderer, sampling.GetPixelsOfImage(), sampling.HasCounts())
                              : 0;
 }
 
@@ -73,7 +73,7 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
   this->TransferTable->ReleaseIfStale(renderer->GetRenderWindow(), table, NeedsIntegrals(sampling));
   if (sampling.HasImage())
   {
-    this->RayImage->ReleaseIfStale(renderer, sampling.PixelsPerRay, sampling.HasCounts());
+    this->RayImage->ReleaseIfStale(renderer, sampling.GetPixelsOfImage(), sampling.HasCounts());
   }
   else
   {
@@ -127,8 +127,24 @@ const flatblock::RayCounts& vtkOpenGLFlatBlockRayCaster::GetCounts() const
 
 bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->SceneDepth->Capture(renderer);
+  if (scene.Sampling.RefinesImage)
+  {
+    Scene coarse = scene;
+    coarse.Sampling.PixelsPerRay = flatblock::RaySampling::CoarsePixelsPerRay;
+    coarse.Sampling.RefinesImage = false;
+    coarse.IsOnlyImage = true;
+    if (!this->Cast(renderer, coarse))
+    {
+      return false;
+    }
+  }
+  return this->Cast(renderer, scene);
+}
+
+bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkShaderProgram* program = flatblock::ReadyRayCaster(window, scene.Sampling, scene.HasHoles,
     this->TransferTable->NeedsLongSums(scene.Sampling.Step / scene.Sampling.UnitOfLength));
   if (!program)
@@ -172,6 +188,10 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
   {
     texture->Deactivate();
   }
+  if (scene.Sampling.RefinesImage)
+  {
+    this->RayImage->Deactivate();
+  }
   this->TransferTable->Deactivate();
   if (scene.Sampling.CellsPerCube > 0)
   {
@@ -193,7 +213,8 @@ void vtkOpenGLFlatBlockRayCaster::SetRays(
   const float size[2] = { static_cast<float>(depth->GetWidth()),
     static_cast<float>(depth->GetHeight()) };
   float pixelsPerRay[2] = { 1.0F, 1.0F };
-  if (sampling.HasImage())
+  const bool isToImage = sampling.HasImage() && !sampling.RefinesImage;
+  if (isToImage)
   {
     const auto rays = vtkOpenGLFlatBlockRayImage::GetSize(renderer, sampling.PixelsPerRay);
     pixelsPerRay[0] = size[0] / static_cast<float>(rays[0]);
@@ -203,11 +224,16 @@ void vtkOpenGLFlatBlockRayCaster::SetRays(
   this->SceneDepth->GetTexture()->Activate();
   program->SetUniformi("in_SceneDepth", this->SceneDepth->GetTexture()->GetTextureUnit());
   program->SetUniform2i(
-    "in_ViewportOrigin", sampling.HasImage() ? imageOrigin : this->SceneDepth->GetOrigin());
+    "in_ViewportOrigin", isToImage ? imageOrigin : this->SceneDepth->GetOrigin());
   program->SetUniform2f("in_PixelsPerRay", pixelsPerRay);
   program->SetUniformf("in_StepLength", static_cast<float>(sampling.Step / sampling.UnitOfLength));
   program->SetUniformf("in_EnoughOpacity", static_cast<float>(sampling.EnoughOpacity));
   program->SetUniformf("in_AdaptiveSampling", sampling.Adaptive ? 1.0F : 0.0F);
+  if (sampling.RefinesImage)
+  {
+    this->RayImage->Activate(program);
+    program->SetUniformf("in_ImageTolerance", static_cast<float>(sampling.ImageTolerance));
+  }
   if (sampling.IsShaded)
   {
     program->SetUniformf(
@@ -266,7 +292,7 @@ bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& s
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  if (!scene.Sampling.HasImage())
+  if (!scene.Sampling.HasImage() || scene.Sampling.RefinesImage)
   {
     state->vtkglEnable(GL_BLEND);
     this->DrawCover(state, cover);
@@ -280,6 +306,10 @@ bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& s
     this->DrawCover(state, cover);
   }
   this->RayImage->End();
+  if (scene.IsOnlyImage)
+  {
+    return true;
+  }
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
   return this->RayImage->Draw(renderer);

@@ -49,6 +49,7 @@ public:
     bool LinearInterpolation;      ///< nearest sample otherwise
     bool HasHoles;                 ///< cells with a corner that is not finite
     flatblock::RaySampling Sampling;
+    bool IsOnlyImage = false; ///< rays stay in their image
   };
 
   /**
@@ -127,6 +128,7 @@ private:
     MirroredBox,
     Viewport
   };
+  bool Cast(vtkRenderer* renderer, const Scene& scene);
   bool DrawRays(vtkRenderer* renderer, const Scene& scene, Cover cover);
   void DrawCover(vtkOpenGLState* state, Cover cover);
 

@@ -139,6 +139,17 @@ void vtkOpenGLFlatBlockRayImage::End()
   state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
 }
 
+void vtkOpenGLFlatBlockRayImage::Activate(vtkShaderProgram* program)
+{
+  this->Colors->Activate();
+  program->SetUniformi("in_CoarseRays", this->Colors->GetTextureUnit());
+}
+
+void vtkOpenGLFlatBlockRayImage::Deactivate()
+{
+  this->Colors->Deactivate();
+}
+
 bool vtkOpenGLFlatBlockRayImage::Draw(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());

@@ -18,6 +18,7 @@
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
+class vtkShaderProgram;
 class vtkTextureObject;
 class vtkWindow;
 
@@ -56,6 +57,12 @@ public:
    * @return whether the shader could be built
    */
   bool Draw(vtkRenderer* renderer);
+
+  /**
+   * For a program that reads the image as in_CoarseRays.
+   */
+  void Activate(vtkShaderProgram* program);
+  void Deactivate();
 
   const flatblock::RayCounts& GetCounts() const { return this->RayCounts; }
 

@@ -8,6 +8,7 @@
 
 //FlatBlock::Counting
 //FlatBlock::Ray
+//FlatBlock::AdaptiveImage
 //FlatBlock::Blocks
 //FlatBlock::Walk
 //FlatBlock::TransferTable
@@ -220,7 +221,7 @@ Gathered march(Ray ray)
 #endif
   Stretch stretch;
   stretch.entry = phase;
-  bool isInside = true;
+  bool isInside = ray.begin < ray.end;
   while (isInside && !isAtEnd(gathered))
   {
     if (brick.resident)
@@ -277,7 +278,15 @@ void main()
   {
     discard;
   }
+#ifdef FLATBLOCK_ADAPTIVE_IMAGE
+  vec4 between;
+  bool isBetween = isBetweenRays(between);
+  ray.end = isBetween ? ray.begin : ray.end;
+#endif
   Gathered gathered = march(ray);
+#ifdef FLATBLOCK_ADAPTIVE_IMAGE
+  gathered.color = isBetween ? between : gathered.color;
+#endif
 #ifdef FLATBLOCK_COUNTING
   float samples = float(gathered.samples);
 #ifdef FLATBLOCK_SAMPLE_LIMIT

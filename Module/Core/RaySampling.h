@@ -35,12 +35,23 @@ struct RaySampling
   double EnoughOpacity = 1.0;    ///< at which a ray ends
 
   bool HasBrickRanges = false; ///< texels are on a scale of their brick
+  bool RefinesImage = false;   ///< rays of a coarse grid come first, others only where they differ
+  double ImageTolerance = 0.0; ///< by this
   bool CountsSamples = false;
+
+  static constexpr double CoarsePixelsPerRay = 4.0;
+  double GetPixelsOfImage() const
+  {
+    return this->RefinesImage ? CoarsePixelsPerRay : this->PixelsPerRay;
+  }
 
   /// Whether samples and fetches of each ray are counted.
   bool HasCounts() const { return this->CountsSamples || this->MostSamples > 0; }
 
   /// Whether rays are drawn to an image of their own first.
-  bool HasImage() const { return this->PixelsPerRay != 1.0 || this->HasCounts(); }
+  bool HasImage() const
+  {
+    return this->PixelsPerRay != 1.0 || this->HasCounts() || this->RefinesImage;
+  }
 };
 } // namespace flatblock

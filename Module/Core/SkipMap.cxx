@@ -151,11 +151,21 @@ public:
       { std::fill_n(&this->Map.Leaps[row], length, static_cast<std::uint8_t>(leap + distance)); });
   }
 
+  // A cube that is the whole block.
+  void MarkAlone(std::size_t cube)
+  {
+    const Kind kind = this->IsNear(cube) ? Kind::Constant : this->Kinds[cube];
+    this->Map.Leaps[cube] =
+      static_cast<std::uint8_t>(SkipMap::KindFactor * static_cast<int>(kind) + 1);
+  }
+
   void Measure(const Index3& block)
   {
     const Index3 size = this->GetSize(block);
-    Bytes toVarying(static_cast<std::size_t>(size[0]) * size[1] * size[2]);
-    Bytes toPlain(toVarying.size());
+    Bytes& toVarying = this->ToVarying;
+    Bytes& toPlain = this->ToPlain;
+    toVarying.resize(static_cast<std::size_t>(size[0]) * size[1] * size[2]);
+    toPlain.resize(toVarying.size());
     this->ForRows(block,
       [&](std::size_t row, std::size_t own, int length)
       {
@@ -223,6 +233,8 @@ private:
   const std::vector<Kind>& Kinds;
   const Bytes& Reach;
   SkipMap& Map;
+  Bytes ToVarying; // of the block at hand
+  Bytes ToPlain;
 };
 } // namespace
 
@@ -235,18 +247,27 @@ SkipMap BuildSkipMap(const CubeGrid& grid, const std::vector<SkipMap::Kind>& kin
     [](std::uint8_t v) -> std::uint8_t { return v != 0 ? 0 : SkipMap::FarthestLeap; });
   MeasureDistances(grid.Blocks, toVisible);
   BlockMapper mapper(grid, kinds, reach, map);
-  for (std::size_t i = 0; i < visible.size(); ++i)
+  Index3 block = { 0, 0, 0 };
+  std::size_t number = 0;
+  for (block[2] = 0; block[2] < grid.Blocks[2]; ++block[2])
   {
-    const auto x = static_cast<int>(i % grid.Blocks[0]);
-    const auto y = static_cast<int>(i / grid.Blocks[0] % grid.Blocks[1]);
-    const auto z = static_cast<int>(i / grid.Blocks[0] / grid.Blocks[1]);
-    if (visible[i] != 0)
+    for (block[1] = 0; block[1] < grid.Blocks[1]; ++block[1])
     {
-      mapper.Measure({ x, y, z });
-    }
-    else
-    {
-      mapper.Hide({ x, y, z }, toVisible[i]);
+      for (block[0] = 0; block[0] < grid.Blocks[0]; ++block[0], ++number)
+      {
+        if (visible[number] == 0)
+        {
+          mapper.Hide(block, toVisible[number]);
+        }
+        else if (grid.CubesPerBlock == 1)
+        {
+          mapper.MarkAlone(number);
+        }
+        else
+        {
+          mapper.Measure(block);
+        }
+      }
     }
   }
   return map;

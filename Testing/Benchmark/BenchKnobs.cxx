@@ -119,6 +119,33 @@ Value Light(const char* threshold)
     [threshold](Setting& s) { s.Mapper->SetShadingOpacityThreshold(std::stod(threshold)); } };
 }
 
+// Of interactive frames.
+Value Refined(const char* tolerance)
+{
+  return { tolerance, [tolerance](Setting& s)
+    {
+      s.Mapper->AdaptiveImageSamplingOn();
+      s.Mapper->SetImageSamplingTolerance(std::stod(tolerance));
+      s.IsInteractive = true;
+    } };
+}
+
+Value Quality(const char* name, void (vtkFlatBlockVolumeMapper::*set)())
+{
+  return { name, [set](Setting& s) { (s.Mapper->*set)(); } };
+}
+
+// What an interactive frame of the automatic quality may come to.
+Value Automatic(const char* factor)
+{
+  return { factor, [factor](Setting& s)
+    {
+      s.Mapper->SetQualityToAccurate();
+      s.Mapper->SetImageSampleDistance(std::stod(factor));
+      s.Mapper->SetSampleDistanceInVoxels(0.25 * std::stod(factor));
+    } };
+}
+
 // One line a knob; each value begins from the mapper's defaults.
 std::vector<Knob> MakeKnobs()
 {
@@ -145,6 +172,12 @@ std::vector<Knob> MakeKnobs()
     { "AtlasPrecision",
       { Precision("native", 0), Precision("8", 8), Precision("4", 4), Precision("1", 1) } },
     { "ShadingOpacityThreshold", { Light("0"), Light("0.001"), Light("0.01") } },
+    { "AdaptiveImageSampling", { Refined("0.01"), Refined("0.05") } },
+    { "Quality", { Quality("Interactive", &Ours::SetQualityToInteractive),
+                   Quality("Balanced", &Ours::SetQualityToBalanced),
+                   Quality("Accurate", &Ours::SetQualityToAccurate),
+                   Quality("Reference", &Ours::SetQualityToReference) } },
+    { "Quality.Automatic", { Automatic("2"), Automatic("4"), Automatic("8") } },
     { "SamplesPerRay.PreIntegrated", Samples(Ours::PRE_INTEGRATED) },
     { "SamplesPerRay.PostInterpolation", Samples(Ours::POST_INTERPOLATION) },
   };

@@ -46,6 +46,7 @@ public:
 
   double Time()
   {
+    this->Shown.Shown.Window->SetDesiredUpdateRate(this->UpdateRate);
     this->Volume->VisibilityOn();
     const double taken = TimeFrame(this->Shown.Shown);
     this->Volume->VisibilityOff();
@@ -54,6 +55,7 @@ public:
 
   testing::Picture Draw()
   {
+    this->Shown.Shown.Window->SetDesiredUpdateRate(this->UpdateRate);
     const int* size = this->Shown.Shown.Window->GetSize();
     testing::FloatFramebuffer framebuffer(this->Shown.Shown.Window, size[0], size[1]);
     this->Mapper->Update();
@@ -80,10 +82,12 @@ private:
       (vtkTypeInt64(256) << 20) + vtkTypeInt64(2048) * vtkTypeInt64(image->GetActualMemorySize()));
     Setting setting{ this->Shown, mapper, this->Property, beside, bricks };
     point.Apply(setting);
+    this->UpdateRate = setting.IsInteractive ? 20.0 : 1e-4;
     return mapper;
   }
 
   Subject& Shown;
+  double UpdateRate = 1e-4;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkVolumeProperty> Property;
   vtkSmartPointer<vtkVolumeMapper> Mapper;

@@ -15,6 +15,7 @@ struct Setting
   vtkVolumeProperty* Property;
   vtkTypeInt64 BytesBeside;   ///< on the card, all but the atlas
   vtkTypeInt64 BytesOfBricks; ///< of all bricks at their finest level
+  bool IsInteractive = false; ///< frames are
 };
 
 struct Point

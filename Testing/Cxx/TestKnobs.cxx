@@ -77,6 +77,13 @@ TEST(Knobs, CostNothingWhereTheyAreOff)
     { "define FLATBLOCK_COUNTING", 2, [](Scene& s) { s.Mapper->CountSamplesOn(); } },
     { "define FLATBLOCK_SAMPLE_LIMIT", 2,
       [](Scene& s) { s.Mapper->SetMaximumNumberOfSamples(50); } },
+    { "define FLATBLOCK_ADAPTIVE_IMAGE", 1,
+      [](Scene& s)
+      {
+        s.Mapper->AutoAdjustSampleDistancesOff();
+        s.Window->SetDesiredUpdateRate(20.0);
+        s.Mapper->AdaptiveImageSamplingOn();
+      } },
     { "define FLATBLOCK_BRICK_RANGES", 1, [](Scene& s) { s.Mapper->SetAtlasPrecisionTo8Bits(); } },
     { "define FLATBLOCK_JITTERING", 0, [](Scene& s) { s.Mapper->UseJitteringOn(); } },
     { "define FLATBLOCK_RAY_START", 0, [](Scene& s) { s.Mapper->SetRayStartOffset(1.0); } },
@@ -199,6 +206,90 @@ TEST(AtlasPrecision, RefusesWhatItDoesNotHave)
   mapper->SetAtlasPrecision(5);
   vtkObject::GlobalWarningDisplayOn();
   EXPECT_EQ(mapper->GetAtlasPrecision(), 4);
+}
+
+// In error, and in samples of all rays.
+TEST(AdaptiveImageSampling, RefinesWhereRaysDiffer)
+{
+  Scene scene;
+  ShowShell(scene, 256 << 20);
+  scene.Mapper->AutoAdjustSampleDistancesOff();
+  const auto whole = scene.Draw();
+  scene.Mapper->AdaptiveImageSamplingOn();
+  EXPECT_EQ(LargestDifference(scene.Draw(), whole), 0.0) << "stills are whole";
+  scene.Window->SetDesiredUpdateRate(20.0);
+  scene.Mapper->SetImageSamplingTolerance(0.0);
+  EXPECT_GE(PSNR(scene.Draw(), whole), 45.0) << "any difference is refined";
+  scene.Mapper->SetImageSamplingTolerance(0.02);
+  const double fine = PSNR(scene.Draw(), whole);
+  EXPECT_TRUE(MatchesBaseline(scene.Window, "AdaptiveImage"));
+  scene.Mapper->SetImageSamplingTolerance(1.0);
+  const double coarse = PSNR(scene.Draw(), whole);
+  std::cout << "tolerance 0.02: " << fine << " dB, 1: " << coarse << " dB\n";
+  EXPECT_GE(fine, coarse + 5.0);
+  EXPECT_LE(scene.Mapper->GetPeakMemoryInBytes(), 256 << 20);
+}
+
+TEST(Quality, PresetsAreInOrder)
+{
+  using Show = void (*)(Scene&);
+  const Show shows[] = { ShowFog, [](Scene& s) { ShowShell(s, 256 << 20); },
+    [](Scene& s)
+    {
+      ShowFog(s);
+      s.SetOpacity({ { 500.0, 0.0 }, { 560.0, 0.4 } });
+      s.Property->ShadeOn();
+    } };
+  for (const Show& show : shows)
+  {
+    Scene scene;
+    show(scene);
+    scene.Window->SetSize(96, 96);
+    scene.Mapper->CountSamplesOn();
+    constexpr int Stride = 3;
+    const Picture reference = DrawReference(scene, Stride);
+    double lastError = 1.0;
+    double lastWork = 0.0;
+    using Set = void (Mapper::*)();
+    for (const Set set :
+      { Set(&Mapper::SetQualityToInteractive), Set(&Mapper::SetQualityToBalanced),
+        Set(&Mapper::SetQualityToAccurate), Set(&Mapper::SetQualityToReference) })
+    {
+      (scene.Mapper->*set)();
+      scene.Window->Render();
+      const double error = RootMeanSquare(TakeEvery(DrawFloats(scene), 96, Stride), reference);
+      const double rays = std::pow(96.0 / scene.Mapper->GetUsedImageSampleDistance(), 2.0);
+      const double work = rays * scene.Mapper->GetSamplesPerRay();
+      std::cout << "error " << error << ", samples " << work << "\n";
+      EXPECT_LT(error, lastError);
+      EXPECT_GT(work, lastWork);
+      lastError = error;
+      lastWork = work;
+    }
+  }
+}
+
+TEST(Quality, AutomaticKeepsToTheGoal)
+{
+  Scene scene;
+  ShowFog(scene);
+  scene.Window->SetSize(256, 256);
+  scene.Mapper->SetQualityToAutomatic();
+  scene.Draw();
+  EXPECT_EQ(scene.Mapper->GetUsedImageSampleDistance(), 1.0);
+  scene.Window->SetDesiredUpdateRate(10.0);
+  scene.Mapper->SetFrameTimeGoal(1e-3);
+  for (int frame = 0; frame < 8; ++frame)
+  {
+    scene.Window->Render();
+  }
+  EXPECT_GE(scene.Mapper->GetUsedImageSampleDistance(), 2.0);
+  scene.Mapper->SetFrameTimeGoal(100.0);
+  for (int frame = 0; frame < 8; ++frame)
+  {
+    scene.Window->Render();
+  }
+  EXPECT_EQ(scene.Mapper->GetUsedImageSampleDistance(), 1.0);
 }
 
 TEST(CountSamples, CountsWhatIsThere)
