@@ -69,8 +69,8 @@ public:
    * Sets all that trades accuracy for speed at once: Classification, the sample distances, the
    * image sample distances and whether they adjust themselves, early termination, tolerances and
    * ShadingOpacityThreshold. Over the scenes of `flatblock-bench --filter Quality` with 128^3
-   * samples in 256^2 pixels, Interactive has a PSNR of 19 dB at least, Balanced of 18, Accurate of
-   * 44, Reference of 50; docs/speed.md has the numbers. Automatic is Accurate for stills, and
+   * samples in 256^2 pixels, Interactive has a PSNR of 22 dB at least, Balanced of 28, Accurate of
+   * 54, Reference of 60; docs/speed.md has the numbers. Automatic is Accurate for stills, and
    * interactive frames keep to FrameTimeGoal: GetExpectedPSNR() says how close they then
    * are.
    */

@@ -20,8 +20,8 @@ void Quantize(const void* texels, std::size_t count, const TexelRange& range, do
   for (std::size_t i = 0; i < count; ++i)
   {
     const double number = (static_cast<double>(source[i]) / whole - range.Lowest) * scale;
-    const double rounded = std::floor(std::clamp(number, 0.0, last) + 0.5);
-    quantized[i] = static_cast<std::uint8_t>(rounded * (255.0 / last) + 0.5);
+    const double rounded = std::round(std::clamp(number, 0.0, last));
+    quantized[i] = static_cast<std::uint8_t>(std::lround(rounded * (255.0 / last)));
   }
 }
 } // namespace

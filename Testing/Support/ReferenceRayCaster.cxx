@@ -218,27 +218,8 @@ std::array<double, 4> ReferenceRayCaster::Integrate(const std::array<double, 3>&
 std::vector<std::array<double, 4>> ReferenceRayCaster::Render(
   const ReferenceView& view, int pixelStride) const
 {
-  const auto& n = this->Volume.Samples;
-  const int columns = (view.Width + pixelStride - 1) / pixelStride;
-  const int rows = (view.Height + pixelStride - 1) / pixelStride;
-  std::vector<std::array<double, 4>> picture(std::size_t(columns) * rows);
-#pragma omp parallel for schedule(dynamic)
-  for (int row = 0; row < rows; ++row)
-  {
-    for (int column = 0; column < columns; ++column)
-    {
-      const auto [origin, direction] =
-        MakeReferenceRay(view, column * pixelStride, row * pixelStride);
-      long double first = 0.0L;
-      long double last = std::numeric_limits<long double>::infinity();
-      if (Clip(n, origin, direction, first, last))
-      {
-        picture[std::size_t(row) * columns + column] =
-          this->IntegrateInside(GetPoint(n, origin, direction, first),
-            GetPoint(n, origin, direction, last), view.SampleToLength);
-      }
-    }
-  }
-  return picture;
+  return RenderRays(view, this->Volume.Samples, pixelStride,
+    [&](const std::array<double, 3>& from, const std::array<double, 3>& to)
+    { return this->IntegrateInside(from, to, view.SampleToLength); });
 }
 } // namespace flatblock::testing

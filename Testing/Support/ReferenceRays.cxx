@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace flatblock::testing
 {
@@ -106,5 +108,30 @@ double GetLength(const std::array<double, 9>& sampleToLength, const std::array<d
     square += component * component;
   }
   return std::sqrt(square);
+}
+
+std::vector<std::array<double, 4>> RenderRays(const ReferenceView& view,
+  const std::array<int, 3>& samples, int pixelStride, const RayIntegral& integral)
+{
+  const int columns = (view.Width + pixelStride - 1) / pixelStride;
+  const int rows = (view.Height + pixelStride - 1) / pixelStride;
+  std::vector<std::array<double, 4>> picture(std::size_t(columns) * rows);
+#pragma omp parallel for schedule(dynamic)
+  for (int row = 0; row < rows; ++row)
+  {
+    for (int column = 0; column < columns; ++column)
+    {
+      const auto [origin, direction] =
+        MakeReferenceRay(view, column * pixelStride, row * pixelStride);
+      long double first = 0.0L;
+      long double last = std::numeric_limits<long double>::infinity();
+      if (Clip(samples, origin, direction, first, last))
+      {
+        picture[std::size_t(row) * columns + column] = integral(
+          GetPoint(samples, origin, direction, first), GetPoint(samples, origin, direction, last));
+      }
+    }
+  }
+  return picture;
 }
 } // namespace flatblock::testing

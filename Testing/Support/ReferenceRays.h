@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <utility>
+#include <vector>
 
 namespace flatblock::testing
 {
@@ -30,6 +32,15 @@ bool Clip(const std::array<int, 3>& samples, const LongPoint& origin, const Long
 /// The point of a line at a parameter, inside the box in spite of rounding.
 std::array<double, 3> GetPoint(const std::array<int, 3>& samples, const LongPoint& origin,
   const LongPoint& direction, long double parameter);
+
+/// From one point in the box to another, in sample coordinates.
+using RayIntegral =
+  std::function<std::array<double, 4>(const std::array<double, 3>&, const std::array<double, 3>&)>;
+
+/// Every `pixelStride`-th pixel of every `pixelStride`-th row, from pixel 0, x fastest, by all
+/// threads; 0 where the ray passes by the box.
+std::vector<std::array<double, 4>> RenderRays(const ReferenceView& view,
+  const std::array<int, 3>& samples, int pixelStride, const RayIntegral& integral);
 
 double GetLength(const std::array<double, 9>& sampleToLength, const std::array<double, 3>& way);
 } // namespace flatblock::testing

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace flatblock::testing
 {
@@ -127,26 +127,7 @@ std::array<double, 4> ReferenceShading::Integrate(
 std::vector<std::array<double, 4>> ReferenceShading::Render(
   const ReferenceView& view, int pixelStride) const
 {
-  const auto& n = this->Volume.Samples;
-  const int columns = (view.Width + pixelStride - 1) / pixelStride;
-  const int rows = (view.Height + pixelStride - 1) / pixelStride;
-  std::vector<std::array<double, 4>> picture(std::size_t(columns) * rows);
-#pragma omp parallel for schedule(dynamic)
-  for (int row = 0; row < rows; ++row)
-  {
-    for (int column = 0; column < columns; ++column)
-    {
-      const auto [origin, direction] =
-        MakeReferenceRay(view, column * pixelStride, row * pixelStride);
-      long double first = 0.0L;
-      long double last = std::numeric_limits<long double>::infinity();
-      if (Clip(n, origin, direction, first, last))
-      {
-        picture[std::size_t(row) * columns + column] = this->Integrate(
-          GetPoint(n, origin, direction, first), GetPoint(n, origin, direction, last), view);
-      }
-    }
-  }
-  return picture;
+  return RenderRays(view, this->Volume.Samples, pixelStride,
+    [&](const Vector& from, const Vector& to) { return this->Integrate(from, to, view); });
 }
 } // namespace flatblock::testing
