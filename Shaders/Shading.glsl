@@ -51,14 +51,13 @@ vec3 gradientAt(Brick brick, vec3 position)
   vec3 first = brick.first;
   vec3 last = min(brick.first + float(in_CellsPerBlock), in_LastSample);
   vec3 middle = clamp(position, first, last);
-  vec3 low;
-  vec3 high;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    vec3 step = vec3(axis == 0 ? reach : 0.0, axis == 1 ? reach : 0.0, axis == 2 ? reach : 0.0);
-    low[axis] = texelOf(brick, middle - step);
-    high[axis] = texelOf(brick, middle + step);
-  }
+  vec3 x = vec3(reach, 0.0, 0.0);
+  vec3 y = vec3(0.0, reach, 0.0);
+  vec3 z = vec3(0.0, 0.0, reach);
+  vec3 low = vec3(
+    texelOf(brick, middle - x), texelOf(brick, middle - y), texelOf(brick, middle - z));
+  vec3 high = vec3(
+    texelOf(brick, middle + x), texelOf(brick, middle + y), texelOf(brick, middle + z));
   vec3 lengths = vec3(2.0 * reach);
   vec3 isBefore = vec3(lessThan(middle - reach, first));
   vec3 isBehind = vec3(greaterThan(middle + reach, last));

@@ -32,7 +32,7 @@ std::string LogFrame(Subject& subject, int frame, const char* kind, double milli
          Exact(mapper->GetUsedImageSampleDistance(), "") + "\n";
 }
 
-// As a user has it: the mapper's defaults, and half the memory that all bricks want.
+// As a user has it: the mapper's defaults, and half the memory that its samples take.
 void BeginSession(Subject& subject)
 {
   subject.Shown.Renderer->SetBackground(0.0, 0.0, 0.0);

@@ -31,10 +31,10 @@ std::vector<Value> Steps(int classification)
   return values;
 }
 
-// Of what all bricks take at their finest level, with what lies beside them.
+// A share of what the samples of the volume take, with what lies beside them.
 void LimitMemory(Setting& setting, int part)
 {
-  setting.Mapper->SetMaxMemoryInBytes(setting.BytesBeside + setting.BytesOfBricks / part);
+  setting.Mapper->SetMaxMemoryInBytes(setting.BytesBeside + setting.BytesOfVolume / part);
 }
 
 Value MemoryPart(int part)

@@ -10,7 +10,7 @@ namespace
 class Placed
 {
 public:
-  Placed(Subject& subject, const Point& point, vtkTypeInt64 beside, vtkTypeInt64 bricks)
+  Placed(Subject& subject, const Point& point, vtkTypeInt64 beside, vtkTypeInt64 volume)
     : Shown(subject)
   {
     // DeepCopy() would add a gradient opacity.
@@ -24,7 +24,7 @@ public:
     this->Property->SetDiffuse(property->GetDiffuse());
     this->Property->SetSpecular(property->GetSpecular());
     this->Property->SetSpecularPower(property->GetSpecularPower());
-    this->Mapper = point.IsOurs() ? this->MakeOurs(point, beside, bricks) : point.MakePeer(subject);
+    this->Mapper = point.IsOurs() ? this->MakeOurs(point, beside, volume) : point.MakePeer(subject);
     if (!this->Mapper)
     {
       throw std::runtime_error("this VTK has no such mode");
@@ -70,7 +70,7 @@ public:
 
 private:
   vtkSmartPointer<vtkVolumeMapper> MakeOurs(
-    const Point& point, vtkTypeInt64 beside, vtkTypeInt64 bricks)
+    const Point& point, vtkTypeInt64 beside, vtkTypeInt64 volume)
   {
     auto* image = vtkImageData::SafeDownCast(this->Shown.Shown.Mapper->GetInputDataObject(0, 0));
     auto mapper = vtkSmartPointer<vtkFlatBlockVolumeMapper>::New();
@@ -80,7 +80,7 @@ private:
     // Enough for all bricks, unless the point says otherwise.
     mapper->SetMaxMemoryInBytes(
       (vtkTypeInt64(256) << 20) + vtkTypeInt64(2048) * vtkTypeInt64(image->GetActualMemorySize()));
-    Setting setting{ this->Shown, mapper, this->Property, beside, bricks };
+    Setting setting{ this->Shown, mapper, this->Property, beside, volume };
     point.Apply(setting);
     this->UpdateRate = setting.IsInteractive ? 20.0 : 1e-4;
     return mapper;
@@ -115,18 +115,50 @@ std::vector<unsigned char> ToBytes(const testing::Picture& picture)
 }
 } // namespace
 
-Bench::Bench(Subject& subject) : Shown(subject)
+namespace
 {
-  Placed placed(subject, { "", "", "", [](Setting&) {}, {} }, 0, 0);
+vtkTypeInt64 GetVolumeBytes(Subject& subject)
+{
+  auto* image = vtkImageData::SafeDownCast(subject.Shown.Mapper->GetInputDataObject(0, 0));
+  return image->GetNumberOfPoints() * image->GetScalarSize();
+}
+
+// The least limit within which every visible block is drawn at its finest level.
+vtkTypeInt64 FindLeastLimit(Subject& subject)
+{
+  vtkFlatBlockVolumeMapper* mapper = nullptr;
+  Placed placed(
+    subject, { "", "", "", [&mapper](Setting& setting) { mapper = setting.Mapper; }, {} }, 0, 0);
+  vtkTypeInt64 most = mapper->GetMaxMemoryInBytes();
+  vtkTypeInt64 least = 0;
+  testing::Listen(
+    [&]
+    {
+      while (most - least > most / 200)
+      {
+        const vtkTypeInt64 limit = least + (most - least) / 2;
+        mapper->SetMaxMemoryInBytes(limit);
+        placed.Time();
+        const bool areFinest = mapper->GetNumberOfBricks(0) > 0 &&
+                               mapper->GetNumberOfBricks(0) == mapper->GetNumberOfVisibleBlocks();
+        (areFinest ? most : least) = limit;
+      }
+    });
+  mapper->SetMaxMemoryInBytes(most);
   placed.Time();
-  this->BytesBeside = placed.GetOurs()->GetMemoryInBytes() - placed.GetOurs()->GetAtlasBytes();
-  this->BytesOfBricks = placed.GetOurs()->GetUsedAtlasBytes();
+  return most - mapper->GetUsedAtlasBytes();
+}
+} // namespace
+
+Bench::Bench(Subject& subject)
+  : Shown(subject), BytesBeside(FindLeastLimit(subject)), BytesOfVolume(GetVolumeBytes(subject))
+{
 }
 
 Record Bench::Measure(const Point& point)
 {
   Record record{ this->Shown.Name, point.Mapper, point.Knob, point.Value };
-  Placed placed(this->Shown, point, this->BytesBeside, this->BytesOfBricks);
+  Placed placed(this->Shown, point, this->BytesBeside, this->BytesOfVolume);
   testing::Picture drawn;
   const auto messages = testing::Listen(
     [&]
@@ -161,8 +193,8 @@ Record Bench::Measure(const Point& point)
 
 Duel Bench::TimeInTurns(const Point& first, const Point& second)
 {
-  Placed a(this->Shown, first, this->BytesBeside, this->BytesOfBricks);
-  Placed b(this->Shown, second, this->BytesBeside, this->BytesOfBricks);
+  Placed a(this->Shown, first, this->BytesBeside, this->BytesOfVolume);
+  Placed b(this->Shown, second, this->BytesBeside, this->BytesOfVolume);
   a.Time();
   b.Time();
   std::vector<double> timesA;

@@ -45,6 +45,6 @@ public:
 private:
   Subject& Shown;
   vtkTypeInt64 BytesBeside = 0;
-  vtkTypeInt64 BytesOfBricks = 0;
+  vtkTypeInt64 BytesOfVolume = 0;
 };
 } // namespace flatblock::benchmarks

@@ -14,7 +14,7 @@ struct Setting
   vtkFlatBlockVolumeMapper* Mapper;
   vtkVolumeProperty* Property;
   vtkTypeInt64 BytesBeside;   ///< on the card, all but the atlas
-  vtkTypeInt64 BytesOfBricks; ///< of all bricks at their finest level
+  vtkTypeInt64 BytesOfVolume; ///< of its samples
   bool IsInteractive = false; ///< frames are
 };
 

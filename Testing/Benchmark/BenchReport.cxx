@@ -25,7 +25,7 @@ void Introduce(Document& document, const Results& results)
       "reports of the graphics card." });
   document.push_back({ Block::Text,
     "Each point sets one knob; the rest is the mapper's default, with a step of half a voxel and "
-    "memory for all bricks. Steps are in voxels, memory is the share of what all bricks take, and "
+    "memory for all bricks. Steps are in voxels, memory is the share of what its samples take, and "
     "SamplesPerRay is the number of steps along the box's diagonal. vtkSmartVolumeMapper's low "
     "resolution is its own resampling of "
     "the volume, drawn by its GPU mode; vtkMultiBlockVolumeMapper sets neither steps nor a limit "
