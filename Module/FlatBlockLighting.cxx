@@ -1,15 +1,16 @@
 #include "FlatBlockLighting.h"
 
+#include "FlatBlockRayGeometry.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace flatblock
@@ -78,24 +79,15 @@ Lights GetLights(vtkRenderer* renderer, vtkVolumeProperty* material)
 // element becomes 1.
 void SetGradientToWorld(vtkShaderProgram* program, vtkMatrix4x4* sampleToWorld)
 {
-  double rows[3][3];
-  for (int i = 0; i < 9; ++i)
-  {
-    rows[i / 3][i % 3] = sampleToWorld->GetElement(i / 3, i % 3);
-  }
-  double inverse[3][3];
-  vtkMath::Invert3x3(rows, inverse);
+  vtkNew<vtkMatrix4x4> normals;
+  vtkMatrix4x4::Invert(sampleToWorld, normals);
+  normals->Transpose();
   double largest = 1e-300;
   for (int i = 0; i < 9; ++i)
   {
-    largest = std::max(largest, std::abs(inverse[i / 3][i % 3]));
+    largest = std::max(largest, std::abs(normals->GetElement(i / 3, i % 3)));
   }
-  float columns[9];
-  for (int i = 0; i < 9; ++i)
-  {
-    columns[i] = static_cast<float>(inverse[i / 3][i % 3] / largest);
-  }
-  program->SetUniformMatrix3x3("in_GradientToWorld", columns);
+  SetDirections(program, "in_GradientToWorld", normals, largest);
 }
 } // namespace
 

@@ -70,7 +70,7 @@ public:
    * image sample distances and whether they adjust themselves, early termination, tolerances and
    * ShadingOpacityThreshold. Over the scenes of `flatblock-bench --filter Quality` with 128^3
    * samples in 256^2 pixels, Interactive has a PSNR of 22 dB at least, Balanced of 28, Accurate of
-   * 54, Reference of 60; docs/speed.md has the numbers. Automatic is Accurate for stills, and
+   * 54, Reference of 60; README.md has the table. Automatic is Accurate for stills, and
    * interactive frames keep to FrameTimeGoal: GetExpectedPSNR() says how close they then
    * are.
    */

@@ -370,7 +370,6 @@ private:
   vtkTypeInt64 GetBytesBesideAtlas(vtkRenderer* renderer) const;
   double GetStep();
   vtkTypeInt64 GetImageBytes(vtkRenderer* renderer) const;
-  void AdjustInteractiveFactor(double seconds, double allowed);
   void DrawRays(vtkRenderer* renderer, vtkVolume* volume);
   void CastRays(vtkRenderer* renderer, vtkVolume* volume);
   void AdjustSampling(vtkRenderer* renderer, vtkVolume* volume);

@@ -73,8 +73,9 @@ void vtkFlatBlockVolumeMapper::DrawRays(vtkRenderer* renderer, vtkVolume* volume
   in.Statistics.DrawMilliseconds = milliseconds;
   if (adjusts)
   {
-    this->AdjustInteractiveFactor(1e-3 * milliseconds,
-      this->FrameTimeGoal > 0.0 ? this->FrameTimeGoal : volume->GetAllocatedRenderTime());
+    in.AdjustInteractiveFactor(1e-3 * milliseconds,
+      this->FrameTimeGoal > 0.0 ? this->FrameTimeGoal : volume->GetAllocatedRenderTime(),
+      this->MaximumImageSampleDistance);
   }
 }
 
@@ -128,6 +129,7 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
     in.LastAtlasBytes = 0;
     in.CardLimit = {};
     in.AreBrickRangesCurrent = false;
+    in.RayCaster->SetBrickRanges(in.Window, {}); // before their place is given to others
   }
 }
 

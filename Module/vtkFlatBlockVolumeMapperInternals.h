@@ -85,6 +85,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   void ChooseCubes(int skipping, vtkTypeInt64 memory);
   void UpdateSkipMap(vtkFlatBlockSkipMap::Settings settings);
   vtkTypeInt64 GetSkipMapBytes() const;
+  void AdjustInteractiveFactor(double seconds, double allowed, double largest);
   void UpdateBrickRanges();
   vtkTypeInt64 GetBrickRangeBytes() const;
   flatblock::FramePlan PlanFrame(const flatblock::RefinementBudget* budget, bool continuity);

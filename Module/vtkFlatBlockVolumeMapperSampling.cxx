@@ -101,15 +101,14 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetImageBytes(vtkRenderer* renderer) cons
 }
 
 // Time goes with the rays along both axes of the picture and the samples along each.
-void vtkFlatBlockVolumeMapper::AdjustInteractiveFactor(double seconds, double allowed)
+void vtkFlatBlockVolumeMapper::vtkInternals::AdjustInteractiveFactor(
+  double seconds, double allowed, double largest)
 {
   constexpr double NotWorthwhile = 1.5;
-  double& factor = this->Internals->InteractiveFactor;
-  const double wanted = factor * std::cbrt(seconds / std::max(allowed, 1e-3));
-  factor = wanted < NotWorthwhile
-             ? 1.0
-             : std::clamp(wanted, LeastInteractiveFactor,
-                 std::max(LeastInteractiveFactor, this->MaximumImageSampleDistance));
+  const double wanted = this->InteractiveFactor * std::cbrt(seconds / std::max(allowed, 1e-3));
+  this->InteractiveFactor = wanted < NotWorthwhile ? 1.0
+                                                   : std::clamp(wanted, LeastInteractiveFactor,
+                                                       std::max(LeastInteractiveFactor, largest));
 }
 
 // Once for each that is new.

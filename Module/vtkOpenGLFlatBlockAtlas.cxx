@@ -2,6 +2,8 @@
 
 #include "vtkOpenGLFlatBlockAtlas.h"
 
+#include "FlatBlockGLErrors.h"
+
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -59,13 +61,6 @@ bool IsAllocated3D(vtkTextureObject* texture, int depth)
   texture->Deactivate();
   return allocated == depth;
 }
-
-void ClearGLErrors()
-{
-  while (glGetError() != GL_NO_ERROR)
-  {
-  }
-}
 } // namespace
 
 vtkOpenGLFlatBlockAtlas::vtkOpenGLFlatBlockAtlas() = default;
@@ -105,7 +100,7 @@ bool vtkOpenGLFlatBlockAtlas::Execute(vtkOpenGLRenderWindow* window,
     this->ReleaseGraphicsResources(window);
     return false;
   }
-  ClearGLErrors();
+  flatblock::ClearGLErrors();
   this->Move(plan.Moves, source.GetEncoding().Format);
   this->Upload(plan.Uploads, places, source);
   if (glGetError() == GL_OUT_OF_MEMORY) // of drivers that allocate what is touched
@@ -128,12 +123,12 @@ bool vtkOpenGLFlatBlockAtlas::Allocate(
   this->Bricks->SetWrapS(vtkTextureObject::ClampToEdge);
   this->Bricks->SetWrapT(vtkTextureObject::ClampToEdge);
   this->Bricks->SetWrapR(vtkTextureObject::ClampToEdge);
-  ClearGLErrors();
+  flatblock::ClearGLErrors();
   if (!CanAllocate(size, gl) ||
       !this->Bricks->Allocate3D(size[0], size[1], size[2], 1, gl.VtkType) ||
       !IsAllocated3D(this->Bricks, size[2]))
   {
-    ClearGLErrors();
+    flatblock::ClearGLErrors();
     return false;
   }
   // What lies beside a brick has no weight, but times NaN that is not nothing.
@@ -168,12 +163,12 @@ bool vtkOpenGLFlatBlockAtlas::WriteIndex(
   this->BlockIndex->SetInternalFormat(GL_RGBA16UI);
   this->BlockIndex->SetFormat(GL_RGBA_INTEGER);
   this->BlockIndex->SetDataType(GL_UNSIGNED_SHORT);
-  ClearGLErrors();
+  flatblock::ClearGLErrors();
   const bool created =
     this->BlockIndex->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_SHORT, texels.data());
   const bool failed = glGetError() != GL_NO_ERROR;
   this->IndexBytes.Set(GetIndexBytes(static_cast<vtkTypeInt64>(places.size())));
-  ClearGLErrors();
+  flatblock::ClearGLErrors();
   return created && !failed;
 }
 

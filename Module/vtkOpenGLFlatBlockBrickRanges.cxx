@@ -13,9 +13,6 @@
 
 vtkStandardNewMacro(vtkOpenGLFlatBlockBrickRanges);
 
-vtkOpenGLFlatBlockBrickRanges::vtkOpenGLFlatBlockBrickRanges() = default;
-vtkOpenGLFlatBlockBrickRanges::~vtkOpenGLFlatBlockBrickRanges() = default;
-
 namespace
 {
 constexpr vtkTypeInt64 Width = 4096; // as wide as textures may be everywhere
@@ -36,57 +33,20 @@ vtkTypeInt64 vtkOpenGLFlatBlockBrickRanges::GetBytes(vtkTypeInt64 blocks)
 bool vtkOpenGLFlatBlockBrickRanges::Upload(
   vtkOpenGLRenderWindow* window, const std::vector<flatblock::TexelRange>& ranges)
 {
-  while (glGetError() != GL_NO_ERROR) // what came before is not ours
-  {
-  }
   const auto size = GetSize(static_cast<vtkTypeInt64>(ranges.size()));
   std::vector<flatblock::TexelRange> texels = ranges;
   texels.resize(static_cast<std::size_t>(size[0] * size[1]));
-  this->Texture->SetContext(window);
-  this->Texture->SetInternalFormat(GL_RG32F);
-  const bool isCreated = this->Texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
-    static_cast<unsigned int>(size[1]), 2, VTK_FLOAT, texels.data());
-  if (!isCreated || glGetError() != GL_NO_ERROR)
-  {
-    this->ReleaseGraphicsResources(window);
-    return false;
-  }
-  this->Bytes.Set(GetBytes(static_cast<vtkTypeInt64>(ranges.size())));
-  return true;
-}
-
-bool vtkOpenGLFlatBlockBrickRanges::IsUploaded() const
-{
-  return this->Texture->GetHandle() != 0;
+  return this->Create(window, GetBytes(static_cast<vtkTypeInt64>(ranges.size())),
+    [&]
+    {
+      this->Texture->SetInternalFormat(GL_RG32F);
+      return this->Texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
+        static_cast<unsigned int>(size[1]), 2, VTK_FLOAT, texels.data());
+    });
 }
 
 void vtkOpenGLFlatBlockBrickRanges::Activate(vtkShaderProgram* program)
 {
   this->Texture->Activate();
   program->SetUniformi("in_BrickRanges", this->Texture->GetTextureUnit());
-}
-
-void vtkOpenGLFlatBlockBrickRanges::Deactivate()
-{
-  this->Texture->Deactivate();
-}
-
-void vtkOpenGLFlatBlockBrickRanges::ReleaseIfStale(vtkWindow* window, vtkTypeInt64 bytes)
-{
-  if (this->Bytes.Get() != bytes)
-  {
-    this->ReleaseGraphicsResources(window);
-  }
-}
-
-void vtkOpenGLFlatBlockBrickRanges::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
-  this->Bytes.Set(0);
-}
-
-void vtkOpenGLFlatBlockBrickRanges::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Bytes: " << this->Bytes.Get() << "\n";
 }

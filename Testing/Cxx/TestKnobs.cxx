@@ -198,6 +198,21 @@ TEST(AtlasPrecision, IsThatOfTheBlockAtAllLevelsAndFilters)
   }
 }
 
+// The scales go before what takes their place comes.
+TEST(AtlasPrecision, ChangesWithinTheLimit)
+{
+  Scene scene;
+  ShowFog(scene);
+  scene.Mapper->SetBlockSize(17);
+  scene.Mapper->SetMaxMemoryInBytes(900000);
+  for (const int bits : { Mapper::BITS_8, Mapper::NATIVE, Mapper::BITS_8 })
+  {
+    scene.Mapper->SetAtlasPrecision(bits);
+    scene.Window->Render();
+    EXPECT_LE(scene.Mapper->GetPeakMemoryInBytes(), 900000) << bits;
+  }
+}
+
 TEST(AtlasPrecision, RefusesWhatItDoesNotHave)
 {
   vtkNew<Mapper> mapper;
@@ -283,7 +298,10 @@ TEST(Quality, AutomaticKeepsToTheGoal)
   {
     scene.Window->Render();
   }
-  EXPECT_GE(scene.Mapper->GetUsedImageSampleDistance(), 2.0);
+  const double coarser = scene.Mapper->GetUsedImageSampleDistance();
+  EXPECT_GE(coarser, 2.0);
+  EXPECT_LT(Mapper::GetExpectedPSNR(coarser), Mapper::GetExpectedPSNR(1.0));
+  EXPECT_GT(Mapper::GetExpectedPSNR(coarser), 15.0);
   scene.Mapper->SetFrameTimeGoal(100.0);
   for (int frame = 0; frame < 8; ++frame)
   {
