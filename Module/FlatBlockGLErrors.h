@@ -1,15 +1,9 @@
 /// OpenGL's errors, which nobody else may have asked for.
 #pragma once
 
-#include "vtk_glew.h"
-
 namespace flatblock
 {
-/// Forgets those that came before, so that the next one is our own.
-inline void ClearGLErrors()
-{
-  while (glGetError() != GL_NO_ERROR)
-  {
-  }
-}
+/// Forgets those that came before, so that the next one is our own. VTK's function of this kind
+/// does nothing in a release build.
+void ClearGLErrors();
 } // namespace flatblock

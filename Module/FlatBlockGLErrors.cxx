@@ -1,0 +1,10 @@
+#include "FlatBlockGLErrors.h"
+
+#include "vtk_glew.h"
+
+void flatblock::ClearGLErrors()
+{
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+}
