@@ -82,48 +82,12 @@ void Pass(const Index3& size, Bytes& bytes, bool isForward)
     }
   }
 }
-
-// The kind that all of an interval of cubes along an axis have, else varying.
-void MergeAlong(
-  const Index3& size, int axis, const Coarsening& coarsening, std::vector<Kind>& kinds)
-{
-  const std::ptrdiff_t stride =
-    axis == 0 ? 1 : (axis == 1 ? size[0] : static_cast<std::ptrdiff_t>(size[0]) * size[1]);
-  const int reach = coarsening.IsFiltered ? coarsening.Cubes : 0;
-  std::vector<Kind> line(static_cast<std::size_t>(size[axis]));
-  for (std::size_t first = 0; first < kinds.size(); ++first)
-  {
-    if (static_cast<int>(first / stride % size[axis]) != 0)
-    {
-      continue;
-    }
-    Kind* along = &kinds[first];
-    for (int i = 0; i < size[axis]; ++i)
-    {
-      line[i] = along[i * stride];
-    }
-    for (int group = 0; group < size[axis]; group += coarsening.Cubes)
-    {
-      const int begin = std::max(group - reach, 0);
-      const int end = std::min(group + coarsening.Cubes + reach, size[axis]);
-      const bool areSame = std::all_of(line.begin() + begin, line.begin() + end,
-        [&line, begin](Kind kind) { return kind == line[begin]; });
-      for (int i = group; i < std::min(group + coarsening.Cubes, size[axis]); ++i)
-      {
-        along[i * stride] = areSame ? line[begin] : Kind::Varying;
-      }
-    }
-  }
-}
 } // namespace
 
 void CoarsenKinds(
   const Index3& size, const Coarsening& coarsening, std::vector<SkipMap::Kind>& kinds)
 {
-  for (int axis = 0; axis < 3 && (coarsening.Cubes > 1 || coarsening.IsFiltered); ++axis)
-  {
-    MergeAlong(size, axis, coarsening, kinds);
-  }
+  Coarsen(size, coarsening, kinds, [](Kind a, Kind b) { return a == b ? a : Kind::Varying; });
 }
 
 void MeasureDistances(const Index3& size, std::vector<std::uint8_t>& bytes)

@@ -1,7 +1,7 @@
 /// How far a ray may leap.
 #pragma once
 
-#include "BlockGrid.h"
+#include "Coarsening.h"
 
 #include <cstdint>
 #include <vector>
@@ -38,19 +38,6 @@ struct CubeGrid
   Index3 Cubes = { 0, 0, 0 };
   Index3 Blocks = { 0, 0, 0 };
   int CubesPerBlock = 1;
-};
-
-/// What coarser levels of detail make of a volume: samples at a stride, or means of those up to
-/// that far around.
-struct Coarsening
-{
-  int Cubes = 1; ///< that the coarsest cell is long, a power of two
-  bool IsFiltered = false;
-
-  bool operator==(const Coarsening& other) const
-  {
-    return this->Cubes == other.Cubes && this->IsFiltered == other.IsFiltered;
-  }
 };
 
 /// Lets a cube count as varying where, at a coarser level, another one that does could show in it.

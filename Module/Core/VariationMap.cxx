@@ -17,23 +17,6 @@ bool IsNarrow(const CubeRange& range, int tolerance)
   return range[0] <= range[1] && range[1] - range[0] <= tolerance;
 }
 
-// Calls action(first cube) for all lines along an axis.
-template <typename Action>
-void ForLines(const Index3& size, int axis, const Action& action)
-{
-  const std::size_t strides[3] = { 1, static_cast<std::size_t>(size[0]),
-    static_cast<std::size_t>(size[0]) * size[1] };
-  const int across = axis == 0 ? 1 : 0;
-  const int along = axis == 2 ? 1 : 2;
-  for (int j = 0; j < size[along]; ++j)
-  {
-    for (int i = 0; i < size[across]; ++i)
-    {
-      action(i * strides[across] + j * strides[along], strides[axis]);
-    }
-  }
-}
-
 // Unions with both neighbours along an axis, within groups of cubes.
 void Widen(const Index3& size, int axis, int group, std::vector<CubeRange>& ranges)
 {
@@ -52,39 +35,11 @@ void Widen(const Index3& size, int axis, int group, std::vector<CubeRange>& rang
       }
     });
 }
-
-void MergeAlong(
-  const Index3& size, int axis, const Coarsening& coarsening, std::vector<CubeRange>& ranges)
-{
-  const int reach = coarsening.IsFiltered ? coarsening.Cubes : 0;
-  std::vector<CubeRange> line(static_cast<std::size_t>(size[axis]));
-  ForLines(size, axis,
-    [&](std::size_t first, std::size_t stride)
-    {
-      for (int i = 0; i < size[axis]; ++i)
-      {
-        line[i] = ranges[first + i * stride];
-      }
-      for (int i = 0; i < size[axis]; ++i)
-      {
-        const int group = i - i % coarsening.Cubes;
-        const int end = std::min(group + coarsening.Cubes + reach, size[axis]);
-        CubeRange& merged = ranges[first + i * stride];
-        for (int other = std::max(group - reach, 0); other < end; ++other)
-        {
-          merged = Union(merged, line[other]);
-        }
-      }
-    });
-}
 } // namespace
 
 void CoarsenRanges(const Index3& size, const Coarsening& coarsening, std::vector<CubeRange>& ranges)
 {
-  for (int axis = 0; axis < 3 && (coarsening.Cubes > 1 || coarsening.IsFiltered); ++axis)
-  {
-    MergeAlong(size, axis, coarsening, ranges);
-  }
+  Coarsen(size, coarsening, ranges, Union);
 }
 
 std::vector<std::uint8_t> MeasureVariation(
