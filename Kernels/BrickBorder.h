@@ -26,10 +26,43 @@ template <typename Texel>
 class BrickBorder
 {
 public:
-  /// @param brick  side^3 texels, x fastest, side = 2^n + 1
-  BrickBorder(Texel* brick, int side)
-    : Brick(brick), Last(side - 1), Strides{ 1, side, static_cast<std::ptrdiff_t>(side) * side }
+  /// @param brick  (side + 2 * apron)^3 texels, x fastest, side = 2^n + 1
+  BrickBorder(Texel* brick, int side, int apron = 0)
+    : Last(side - 1), Strides{ 1, side + 2 * apron, 0 }
   {
+    this->Strides[2] = this->Strides[1] * this->Strides[1];
+    this->Brick = brick + apron * (this->Strides[0] + this->Strides[1] + this->Strides[2]);
+  }
+
+  /// The sample (i, j, k), in whose coordinates 0 is the block's first.
+  Texel& At(int i, int j, int k) const
+  {
+    return this->Brick[i + j * this->Strides[1] + k * this->Strides[2]];
+  }
+
+  /// Takes the samples that a coarser level has from it, on those faces, edges and corners that are
+  /// to be coarser by so many levels. Coarsen() then interpolates between them.
+  ///
+  /// @param coarse  the same block at that level, without an apron
+  void CopyCoarser(const BorderCoarsening& border, int coarser, const Texel* coarse)
+  {
+    const int step = 1 << coarser;
+    const int last = this->Last / step;
+    const auto directionOf = [last](int i) { return i == 0 ? -1 : (i == last ? 1 : 0); };
+    for (int k = 0; k <= last; ++k)
+    {
+      for (int j = 0; j <= last; ++j)
+      {
+        for (int i = 0; i <= last; ++i, ++coarse)
+        {
+          const std::array<int, 3> direction = { directionOf(i), directionOf(j), directionOf(k) };
+          if (GetCoarsening(border, direction) == coarser)
+          {
+            this->At(i * step, j * step, k * step) = *coarse;
+          }
+        }
+      }
+    }
   }
 
   /// Edges first: they are what faces are interpolated from.
@@ -44,7 +77,7 @@ public:
         std::array<int, 3> direction = { 0, 0, 0 };
         direction[u] = corner % 2 == 0 ? -1 : 1;
         direction[v] = corner / 2 == 0 ? -1 : 1;
-        this->CoarsenEdge(this->At(direction), axis, 1 << GetCoarsening(border, direction));
+        this->CoarsenEdge(this->GetFirst(direction), axis, 1 << GetCoarsening(border, direction));
       }
     }
     for (int axis = 0; axis < 3; ++axis)
@@ -53,14 +86,14 @@ public:
       {
         std::array<int, 3> direction = { 0, 0, 0 };
         direction[axis] = side;
-        this->CoarsenFace(this->At(direction), axis, 1 << GetCoarsening(border, direction));
+        this->CoarsenFace(this->GetFirst(direction), axis, 1 << GetCoarsening(border, direction));
       }
     }
   }
 
 private:
   // The first texel of the face or edge in this direction.
-  Texel* At(const std::array<int, 3>& direction) const
+  Texel* GetFirst(const std::array<int, 3>& direction) const
   {
     Texel* texel = this->Brick;
     for (int axis = 0; axis < 3; ++axis)
@@ -125,7 +158,7 @@ private:
     }
   }
 
-  Texel* Brick;
+  Texel* Brick = nullptr;
   int Last;
   std::array<std::ptrdiff_t, 3> Strides;
 };

@@ -57,34 +57,36 @@ private:
 };
 
 /// Writes side^3 texels, x fastest: the samples from `first` on, at a stride along each axis.
-/// Samples beyond the volume's far faces repeat the last one.
+/// Samples beyond the volume's faces repeat the last one.
 ///
 /// @param samples  dims[0] * dims[1] * dims[2] values, x fastest
-/// @param first    the brick's first sample, inside the volume
+/// @param first    the brick's first sample, before the volume's far faces
 template <typename T, typename Texel>
 void CopyBrick(const T* samples, const std::array<int, 3>& dims, const std::array<int, 3>& first,
   int side, int stride, const TexelEncoder<T, Texel>& encode, Texel* brick)
 {
-  const int inside = std::min(side, (dims[0] - 1 - first[0]) / stride + 1);
+  const int before = std::min(side, std::max((stride - 1 - first[0]) / stride, 0));
+  const int end = std::min(side, (dims[0] - 1 - first[0]) / stride + 1);
   for (int k = 0; k < side; ++k)
   {
-    const int z = std::min(first[2] + k * stride, dims[2] - 1);
+    const int z = std::clamp(first[2] + k * stride, 0, dims[2] - 1);
     for (int j = 0; j < side; ++j)
     {
-      const int y = std::min(first[1] + j * stride, dims[1] - 1);
+      const int y = std::clamp(first[1] + j * stride, 0, dims[1] - 1);
       const T* row = samples + (static_cast<std::size_t>(z) * dims[1] + y) * dims[0];
+      brick = std::fill_n(brick, before, encode(row[0]));
       if (stride == 1)
       {
-        brick = std::transform(row + first[0], row + first[0] + inside, brick, encode);
+        brick = std::transform(row + (first[0] + before), row + (first[0] + end), brick, encode);
       }
       else
       {
-        for (int i = 0; i < inside; ++i)
+        for (int i = before; i < end; ++i)
         {
           *brick++ = encode(row[first[0] + i * stride]);
         }
       }
-      brick = std::fill_n(brick, side - inside, encode(row[dims[0] - 1]));
+      brick = std::fill_n(brick, side - end, encode(row[dims[0] - 1]));
     }
   }
 }

@@ -1,7 +1,6 @@
 /// Bricks of filtered levels.
 #pragma once
 
-#include "BrickBorder.h"
 #include "BrickCopy.h"
 
 #include <algorithm>
@@ -30,7 +29,7 @@ public:
 
   /// Writes side^3 texels, x fastest.
   ///
-  /// @param first   the brick's first sample, inside the volume
+  /// @param first   the brick's first sample
   /// @param stride  2^l
   void Read(const std::array<int, 3>& first, int side, int stride, Texel* brick)
   {
@@ -130,32 +129,4 @@ private:
   std::vector<float> AlongZ;
 };
 
-/// Gives a brick the samples that a coarser level has on those faces, edges and corners that are to
-/// be coarser by so many levels. BrickBorder then interpolates between them.
-///
-/// @param brick   side^3 texels
-/// @param coarse  the same block at that level
-template <typename Texel>
-void CopyCoarserBorder(
-  Texel* brick, int side, const BorderCoarsening& border, int coarser, const Texel* coarse)
-{
-  const int step = 1 << coarser;
-  const int coarseSide = (side - 1) / step + 1;
-  const auto directionOf = [coarseSide](int i)
-  { return i == 0 ? -1 : (i == coarseSide - 1 ? 1 : 0); };
-  for (int k = 0; k < coarseSide; ++k)
-  {
-    for (int j = 0; j < coarseSide; ++j)
-    {
-      for (int i = 0; i < coarseSide; ++i, ++coarse)
-      {
-        const std::array<int, 3> direction = { directionOf(i), directionOf(j), directionOf(k) };
-        if (GetCoarsening(border, direction) == coarser)
-        {
-          brick[(static_cast<std::ptrdiff_t>(k) * side + j) * step * side + i * step] = *coarse;
-        }
-      }
-    }
-  }
-}
 } // namespace flatblock

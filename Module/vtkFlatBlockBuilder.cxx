@@ -65,16 +65,21 @@ public:
     void* texels) const override
   {
     auto* brick = static_cast<Texel*>(texels);
+    flatblock::BrickBorder<Texel> brickBorder(
+      brick, this->Grid.GetBrickSide(level), this->Grid.GetApron());
     if (this->Filter == flatblock::LevelFilter::Subsample)
     {
-      flatblock::CopyBrick(this->Samples, this->Grid.GetSamples(), this->Grid.GetFirstSample(block),
-        this->Grid.GetBrickSide(level), 1 << level, this->GetEncoder(), brick);
+      flatblock::CopyBrick(this->Samples, this->Grid.GetSamples(), this->GetFirst(block, level),
+        this->Grid.GetTexelSide(level), 1 << level, this->GetEncoder(), brick);
     }
     else
     {
-      this->ReadFilteredBrick(block, level, border, brick);
+      flatblock::BrickFilter<T, Texel> filter(
+        this->Samples, this->Grid.GetSamples(), this->GetEncoder());
+      filter.Read(this->GetFirst(block, level), this->Grid.GetTexelSide(level), 1 << level, brick);
+      this->CopyCoarserBorder(block, level, border, filter, brickBorder);
     }
-    flatblock::BrickBorder<Texel>(brick, this->Grid.GetBrickSide(level)).Coarsen(border);
+    brickBorder.Coarsen(border);
   }
 
 private:
@@ -85,14 +90,18 @@ private:
     return flatblock::TexelEncoder<T, Texel>(this->Encoding.Offset, this->Encoding.Scale);
   }
 
-  void ReadFilteredBrick(
-    std::int64_t block, int level, const flatblock::BlockBorder& border, Texel* brick) const
+  // The first texel of its apron, as a sample of the volume.
+  flatblock::Index3 GetFirst(std::int64_t block, int level) const
   {
-    const flatblock::Index3 first = this->Grid.GetFirstSample(block);
-    const int side = this->Grid.GetBrickSide(level);
-    flatblock::BrickFilter<T, Texel> filter(
-      this->Samples, this->Grid.GetSamples(), this->GetEncoder());
-    filter.Read(first, side, 1 << level, brick);
+    flatblock::Index3 first = this->Grid.GetFirstSample(block);
+    std::for_each(first.begin(), first.end(),
+      [before = this->Grid.GetApron() << level](int& sample) { sample -= before; });
+    return first;
+  }
+
+  void CopyCoarserBorder(std::int64_t block, int level, const flatblock::BlockBorder& border,
+    flatblock::BrickFilter<T, Texel>& filter, flatblock::BrickBorder<Texel>& brick) const
+  {
     std::vector<Texel> coarse;
     for (int coarser = 1; level + coarser < this->Grid.GetNumberOfLevels(); ++coarser)
     {
@@ -100,8 +109,9 @@ private:
       {
         const int coarseSide = this->Grid.GetBrickSide(level + coarser);
         coarse.resize(static_cast<std::size_t>(coarseSide) * coarseSide * coarseSide);
-        filter.Read(first, coarseSide, 1 << (level + coarser), coarse.data());
-        flatblock::CopyCoarserBorder(brick, side, border, coarser, coarse.data());
+        filter.Read(
+          this->Grid.GetFirstSample(block), coarseSide, 1 << (level + coarser), coarse.data());
+        brick.CopyCoarser(border, coarser, coarse.data());
       }
     }
   }
@@ -146,44 +156,63 @@ vtkSmartPointer<vtkDataArray> UnpackBits(vtkDataArray* scalars)
 }
 } // namespace
 
-bool vtkFlatBlockBuilder::Update(vtkImageData* image, vtkDataArray* scalars, int blockSize,
-  flatblock::LevelFilter filter, int bits)
+bool vtkFlatBlockBuilder::Update(
+  vtkImageData* image, vtkDataArray* scalars, int blockSize, const Bricks& bricks)
 {
-  const void* samplesNow = scalars->GetVoidPointer(0);
-  if (this->Source && this->BuiltSamples == samplesNow &&
-      this->BuiltImageTime == image->GetMTime() && this->BuiltBlockSize == blockSize &&
-      this->BuiltFilter == filter && this->BuiltBits == bits)
+  const bool areNewBlocks = !this->AreBlocksCurrent(image, scalars->GetVoidPointer(0), blockSize);
+  if (!areNewBlocks && this->BuiltBricks == bricks)
   {
     return false;
   }
-  flatblock::Index3 samples;
-  image->GetDimensions(samples.data());
-  const flatblock::BlockGrid grid(samples, blockSize);
   this->Quantized.reset();
   this->Source.reset();
-  this->CellsPerRange = 0;
-  this->Cuda.Release();
-  this->BuiltFilter = filter;
-  this->Scalars = UnpackBits(scalars);
+  if (areNewBlocks)
+  {
+    this->BuildBlocks(image, scalars, blockSize);
+  }
+  this->BuiltBricks = bricks;
   switch (this->Scalars->GetDataType())
   {
-    vtkTemplateMacro(this->Build(grid, static_cast<VTK_TT*>(this->Scalars->GetVoidPointer(0))));
+    vtkTemplateMacro(
+      this->BuildSource(static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0))));
   }
-  if (bits > 0 && this->NonFiniteSamples == 0)
+  if (bricks.Bits > 0 && this->NonFiniteSamples == 0)
   {
-    this->Quantize(bits);
+    this->Quantize();
   }
-  this->BuiltBits = bits;
-  this->BuiltSamples = samplesNow;
-  this->BuiltImageTime = image->GetMTime();
-  this->BuiltBlockSize = blockSize;
-  this->Modified();
   return true;
 }
 
-template <typename T>
-void vtkFlatBlockBuilder::Build(const flatblock::BlockGrid& grid, const T* samples)
+bool vtkFlatBlockBuilder::AreBlocksCurrent(
+  vtkImageData* image, const void* samples, int blockSize) const
 {
+  return this->Source && this->BuiltSamples == samples &&
+         this->BuiltImageTime == image->GetMTime() && this->BuiltBlockSize == blockSize;
+}
+
+void vtkFlatBlockBuilder::BuildBlocks(vtkImageData* image, vtkDataArray* scalars, int blockSize)
+{
+  flatblock::Index3 samples;
+  image->GetDimensions(samples.data());
+  this->Grid = flatblock::BlockGrid(samples, blockSize);
+  this->CellsPerRange = 0;
+  this->Cuda.Release();
+  this->Scalars = UnpackBits(scalars);
+  switch (this->Scalars->GetDataType())
+  {
+    vtkTemplateMacro(
+      this->BuildRanges(static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0))));
+  }
+  this->BuiltSamples = scalars->GetVoidPointer(0);
+  this->BuiltImageTime = image->GetMTime();
+  this->BuiltBlockSize = blockSize;
+  this->Modified();
+}
+
+template <typename T>
+void vtkFlatBlockBuilder::BuildRanges(const T* samples)
+{
+  const flatblock::BlockGrid& grid = this->Grid;
   this->BlockRanges.assign(static_cast<std::size_t>(grid.GetNumberOfBlocks()), {});
   flatblock::ComputeBlockRanges(samples, grid.GetSamples(), grid.GetCellsPerBlock(),
     grid.GetBlocks(), this->BlockRanges.data());
@@ -199,11 +228,19 @@ void vtkFlatBlockBuilder::Build(const flatblock::BlockGrid& grid, const T* sampl
   }
   this->NonFiniteSamples =
     CountNonFinite(samples, this->Scalars->GetNumberOfValues(), this->BlockRanges);
-  this->Source = std::make_unique<ImageBrickSource<T>>(
-    grid, samples, MakeEncoding<T>(this->Range), this->BuiltFilter);
 }
 
-void vtkFlatBlockBuilder::Quantize(int bits)
+template <typename T>
+void vtkFlatBlockBuilder::BuildSource(const T* samples)
+{
+  const flatblock::BlockGrid grid(
+    this->Grid.GetSamples(), this->Grid.GetSamplesPerBlock(), this->BuiltBricks.Apron);
+  this->Source = std::make_unique<ImageBrickSource<T>>(
+    grid, samples, MakeEncoding<T>(this->Range), this->BuiltBricks.Filter);
+}
+
+// What a filter and an apron take from around a block is of its neighbours' ranges.
+void vtkFlatBlockBuilder::Quantize()
 {
   const flatblock::TexelEncoding& encoding = this->Source->GetEncoding();
   std::vector<flatblock::TexelRange> ranges(this->BlockRanges.size());
@@ -213,12 +250,12 @@ void vtkFlatBlockBuilder::Quantize(int bits)
       return { static_cast<float>((range.Lowest - encoding.Offset) / encoding.Scale),
         static_cast<float>((range.Highest - range.Lowest) / encoding.Scale) };
     });
-  if (this->BuiltFilter == flatblock::LevelFilter::Tent)
+  if (this->BuiltBricks.Filter == flatblock::LevelFilter::Tent || this->BuiltBricks.Apron > 0)
   {
-    ranges = flatblock::WidenRanges(this->Source->GetGrid().GetBlocks(), ranges);
+    ranges = flatblock::WidenRanges(this->Grid.GetBlocks(), ranges);
   }
-  this->Quantized =
-    std::make_unique<flatblock::QuantizedBricks>(*this->Source, std::move(ranges), bits);
+  this->Quantized = std::make_unique<flatblock::QuantizedBricks>(
+    *this->Source, std::move(ranges), this->BuiltBricks.Bits);
 }
 
 const std::vector<flatblock::CellRange>& vtkFlatBlockBuilder::GetCellRanges(int cells)
@@ -232,7 +269,7 @@ const std::vector<flatblock::CellRange>& vtkFlatBlockBuilder::GetCellRanges(int 
     this->CellScale = { this->Range.Lowest, areIntegers || span <= 0.0 ? 1.0 : span / Steps };
     this->CellsPerRange = cells;
     const flatblock::Index3 count =
-      flatblock::BlockGrid(this->Source->GetGrid().GetSamples(), cells + 1).GetBlocks();
+      flatblock::BlockGrid(this->Grid.GetSamples(), cells + 1).GetBlocks();
     switch (this->Scalars->GetDataType())
     {
       vtkTemplateMacro(
@@ -246,8 +283,8 @@ template <typename T>
 void vtkFlatBlockBuilder::BuildCellRanges(const T* samples, const flatblock::Index3& count)
 {
   this->CellRanges.resize(static_cast<std::size_t>(count[0]) * count[1] * count[2]);
-  flatblock::ComputeCellRanges(samples, this->Source->GetGrid().GetSamples(), this->CellsPerRange,
-    count, this->CellScale, this->CellRanges.data());
+  flatblock::ComputeCellRanges(samples, this->Grid.GetSamples(), this->CellsPerRange, count,
+    this->CellScale, this->CellRanges.data());
 }
 
 std::string vtkFlatBlockBuilder::ComputeDistortion(const std::vector<std::int64_t>& blocks,
@@ -269,7 +306,7 @@ std::string vtkFlatBlockBuilder::ComputeDistortionOf(const T* samples,
   const std::vector<std::int64_t>& blocks, int levels, const flatblock::ClassifiedTable& table,
   int threads, bool useCuda, float* distortion, flatblock::BlockSummary* summaries)
 {
-  const flatblock::BlockGrid& grid = this->Source->GetGrid();
+  const flatblock::BlockGrid& grid = this->Grid;
   const flatblock::BlockedVolume volume = { grid.GetSamples(), grid.GetBlocks(),
     grid.GetCellsPerBlock() };
   std::string problem;

@@ -30,13 +30,26 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Cuts the image's scalars, one component and one tuple a point, into blocks.
-   * @param bits  of a texel on a scale of its brick; 0, and where samples are not finite: as they
-   * are
+   * What the bricks of blocks are.
+   */
+  struct Bricks
+  {
+    flatblock::LevelFilter Filter = flatblock::LevelFilter::Subsample;
+    int Bits = 0; ///< of a texel on its brick's scale; 0, and if samples aren't finite: as they are
+    int Apron = 0; ///< samples around the border
+
+    bool operator==(const Bricks& other) const
+    {
+      return this->Filter == other.Filter && this->Bits == other.Bits && this->Apron == other.Apron;
+    }
+  };
+
+  /**
+   * Cuts the image's scalars, one component and one tuple a point, into blocks. Other bricks of the
+   * same blocks leave the time of modification.
    * @return whether anything was built anew
    */
-  bool Update(vtkImageData* image, vtkDataArray* scalars, int blockSize,
-    flatblock::LevelFilter filter, int bits = 0);
+  bool Update(vtkImageData* image, vtkDataArray* scalars, int blockSize, const Bricks& bricks);
 
   /**
    * Valid after Update(), until the image's samples change.
@@ -92,15 +105,22 @@ private:
   std::string ComputeDistortionOf(const T* samples, const std::vector<std::int64_t>& blocks,
     int levels, const flatblock::ClassifiedTable& table, int threads, bool useCuda,
     float* distortion, flatblock::BlockSummary* summaries);
-  template <typename T>
-  void Build(const flatblock::BlockGrid& grid, const T* samples);
+  bool AreBlocksCurrent(vtkImageData* image, const void* samples, int blockSize) const;
+  void BuildBlocks(vtkImageData* image, vtkDataArray* scalars, int blockSize);
 
-  void Quantize(int bits);
+  template <typename T>
+  void BuildRanges(const T* samples);
+
+  template <typename T>
+  void BuildSource(const T* samples);
+
+  void Quantize();
 
   template <typename T>
   void BuildCellRanges(const T* samples, const flatblock::Index3& count);
 
   vtkSmartPointer<vtkDataArray> Scalars;
+  flatblock::BlockGrid Grid;
   std::unique_ptr<flatblock::BrickSource> Source;
   std::unique_ptr<flatblock::BrickSource> Quantized; // of it
   std::vector<flatblock::ValueRange> BlockRanges;
@@ -114,8 +134,7 @@ private:
   const void* BuiltSamples = nullptr; // only compared with
   vtkMTimeType BuiltImageTime = 0;
   int BuiltBlockSize = 0;
-  int BuiltBits = 0;
-  flatblock::LevelFilter BuiltFilter = flatblock::LevelFilter::Subsample;
+  Bricks BuiltBricks;
 };
 
 #endif

@@ -27,7 +27,7 @@ flatblock::AtlasShape::Request MakeShapeRequest(
   flatblock::AtlasShape::Request request;
   for (int level = 0; level < grid.GetNumberOfLevels(); ++level)
   {
-    request.Sides.push_back(grid.GetBrickSide(level));
+    request.Sides.push_back(grid.GetTexelSide(level));
   }
   const vtkTypeInt64 bytes =
     std::min(limits.MaxMemoryInBytes - limits.BytesBesideAtlas, limits.MaxAtlasBytes);

@@ -120,10 +120,12 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
 {
   vtkInternals& in = *this->Internals;
   flatblock::StageTimer timer(in.Statistics.RangeMilliseconds);
-  const auto filter =
+  vtkFlatBlockBuilder::Bricks bricks;
+  bricks.Filter =
     this->LevelFilter == TENT ? flatblock::LevelFilter::Tent : flatblock::LevelFilter::Subsample;
-  const int bits = this->AtlasPrecision;
-  if (in.Builder->Update(in.Input.Image, in.Input.Scalars, this->BlockSize, filter, bits))
+  bricks.Bits = this->AtlasPrecision;
+  bricks.Apron = in.Sampling.GetApron();
+  if (in.Builder->Update(in.Input.Image, in.Input.Scalars, this->BlockSize, bricks))
   {
     in.Residency.Clear();
     in.LastAtlasBytes = 0;

@@ -95,7 +95,7 @@ bool vtkOpenGLFlatBlockAtlas::Execute(vtkOpenGLRenderWindow* window,
   const flatblock::AtlasAllocator& places = residency.GetAtlas();
   if ((plan.NewAtlas &&
         !this->Allocate(window, places.GetTextureSize(), source.GetEncoding().Format)) ||
-      (plan.NewPlaces && !this->WriteIndex(window, residency)))
+      (plan.NewPlaces && !this->WriteIndex(window, residency, source.GetGrid().GetApron())))
   {
     this->ReleaseGraphicsResources(window);
     return false;
@@ -142,7 +142,7 @@ bool vtkOpenGLFlatBlockAtlas::Allocate(
 }
 
 bool vtkOpenGLFlatBlockAtlas::WriteIndex(
-  vtkOpenGLRenderWindow* window, const flatblock::Residency& residency)
+  vtkOpenGLRenderWindow* window, const flatblock::Residency& residency, int apron)
 {
   const std::vector<flatblock::BrickPlace>& places = residency.GetPlaces();
   const int width = static_cast<int>(std::min<std::size_t>(places.size(), IndexWidth));
@@ -155,7 +155,8 @@ bool vtkOpenGLFlatBlockAtlas::WriteIndex(
     if (places[block].IsResident())
     {
       const flatblock::Index3 origin = residency.GetAtlas().GetOrigin(places[block]);
-      std::copy(origin.begin(), origin.end(), texel);
+      std::transform(origin.begin(), origin.end(), texel,
+        [apron](int first) { return static_cast<std::uint16_t>(first + apron); });
       texel[3] = static_cast<std::uint16_t>(residency.GetLevels()[block]);
     }
   }
@@ -219,7 +220,7 @@ public:
     std::size_t bytes = 0;
     for (std::size_t i = first; i < uploads.size() && bytes < StagingBytes; ++i)
     {
-      const std::size_t side = source.GetGrid().GetBrickSide(uploads[i].Level);
+      const std::size_t side = source.GetGrid().GetTexelSide(uploads[i].Level);
       this->Offsets.push_back(bytes);
       bytes += bytesPerTexel * side * side * side;
     }
@@ -286,9 +287,7 @@ void vtkOpenGLFlatBlockAtlas::Upload(const std::vector<flatblock::BrickUpload>& 
       for (std::size_t i = 0; i < ready->GetCount(); ++i)
       {
         const flatblock::BrickUpload& upload = uploads[ready->GetFirst() + i];
-        this->UploadParts(upload.Parts, places.GetOrigin(upload.Place),
-          source.GetGrid().GetBrickSide(upload.Level), source.GetEncoding().Format,
-          ready->GetBrick(i));
+        this->UploadParts(upload, places.GetOrigin(upload.Place), source, ready->GetBrick(i));
       }
     }
   }
@@ -296,25 +295,29 @@ void vtkOpenGLFlatBlockAtlas::Upload(const std::vector<flatblock::BrickUpload>& 
   this->Bricks->Deactivate();
 }
 
-void vtkOpenGLFlatBlockAtlas::UploadParts(flatblock::BrickParts parts,
-  const flatblock::Index3& origin, int side, flatblock::TexelFormat format,
-  const std::uint8_t* brick)
+void vtkOpenGLFlatBlockAtlas::UploadParts(const flatblock::BrickUpload& upload,
+  const flatblock::Index3& origin, const flatblock::BrickSource& source, const std::uint8_t* brick)
 {
+  const flatblock::TexelFormat format = source.GetEncoding().Format;
   const std::size_t bytesPerTexel = flatblock::BytesPerTexel(format);
+  const flatblock::BlockGrid& grid = source.GetGrid();
+  const int side = grid.GetTexelSide(upload.Level);
+  vtkTypeInt64 texels = 0;
   glPixelStorei(GL_UNPACK_ROW_LENGTH, side);
   glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, side);
-  for (const flatblock::BrickBox& box : flatblock::GetBoxes(parts, side))
+  for (const flatblock::BrickBox& box :
+    flatblock::GetBoxes(upload.Parts, grid.GetBrickSide(upload.Level), grid.GetApron()))
   {
     const flatblock::Index3& at = box.First;
     const std::size_t texel = at[0] + static_cast<std::size_t>(side) * (at[1] + side * at[2]);
     glTexSubImage3D(GL_TEXTURE_3D, 0, origin[0] + at[0], origin[1] + at[1], origin[2] + at[2],
       box.Size[0], box.Size[1], box.Size[2], GL_RED, GetGLFormat(format).Type,
       brick + texel * bytesPerTexel);
+    texels += static_cast<vtkTypeInt64>(box.Size[0]) * box.Size[1] * box.Size[2];
   }
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, 0);
-  this->UploadedBytes += static_cast<vtkTypeInt64>(bytesPerTexel) *
-                         static_cast<vtkTypeInt64>(flatblock::CountTexels(parts, side));
+  this->UploadedBytes += static_cast<vtkTypeInt64>(bytesPerTexel) * texels;
 }
 
 bool vtkOpenGLFlatBlockAtlas::IsAllocated() const

@@ -80,12 +80,12 @@ private:
 
   bool Allocate(
     vtkOpenGLRenderWindow* window, const flatblock::Index3& size, flatblock::TexelFormat format);
-  bool WriteIndex(vtkOpenGLRenderWindow* window, const flatblock::Residency& residency);
+  bool WriteIndex(vtkOpenGLRenderWindow* window, const flatblock::Residency& residency, int apron);
   void Move(const std::vector<flatblock::BoxMove>& moves, flatblock::TexelFormat format);
   void Upload(const std::vector<flatblock::BrickUpload>& uploads,
     const flatblock::AtlasAllocator& places, const flatblock::BrickSource& source);
-  void UploadParts(flatblock::BrickParts parts, const flatblock::Index3& origin, int side,
-    flatblock::TexelFormat format, const std::uint8_t* brick);
+  void UploadParts(const flatblock::BrickUpload& upload, const flatblock::Index3& origin,
+    const flatblock::BrickSource& source, const std::uint8_t* brick);
 
   vtkNew<vtkTextureObject> Bricks;
   vtkNew<vtkTextureObject> BlockIndex;

@@ -13,15 +13,21 @@ uniform sampler2D in_BrickRanges; // of a block's texels: lowest, and from there
 
 const uint NotResident = 65535u;
 
+#ifdef FLATBLOCK_SHADING
+const float Apron = 1.0; // samples around a brick
+#else
+const float Apron = 0.0;
+#endif
+
 struct Brick
 {
   bool resident;
-  vec3 origin; // first texel
+  vec3 origin; // first texel within the apron
   vec3 first;  // first sample
   float scale; // texels a sample
   float step;  // between two points of a ray
   int side;    // texels
-  vec3 low;    // first and last texel, in the atlas
+  vec3 low;    // first and last texel in the atlas, with the apron
   vec3 high;
 #ifdef FLATBLOCK_BRICK_RANGES
   vec2 range;
@@ -42,8 +48,8 @@ Brick fetchBrick(ivec3 block)
   brick.scale = 1.0 / stride;
   brick.step = mix(1.0, stride, in_AdaptiveSampling);
   brick.side = (in_CellsPerBlock >> int(entry.w)) + 1;
-  brick.low = (brick.origin + 0.5) * in_AtlasTexel;
-  brick.high = (brick.origin + float(in_CellsPerBlock) * brick.scale + 0.5) * in_AtlasTexel;
+  brick.low = (brick.origin + 0.5 - Apron) * in_AtlasTexel;
+  brick.high = (brick.origin + float(in_CellsPerBlock) * brick.scale + 0.5 + Apron) * in_AtlasTexel;
 #ifdef FLATBLOCK_BRICK_RANGES
   countFetches(1);
   brick.range = texelFetch(in_BrickRanges, ivec2(number % width, number / width), 0).rg;
@@ -67,9 +73,20 @@ float valueOfTexel(Brick brick, float texel)
 #endif
 }
 
-float texelOf(Brick brick, vec3 position)
+// Within the brick and its apron, in texture coordinates.
+vec3 inAtlas(Brick brick, vec3 position)
+{
+  vec3 at = (brick.origin + (position - brick.first) * brick.scale + 0.5) * in_AtlasTexel;
+  return clamp(at, brick.low, brick.high);
+}
+
+float texelAt(Brick brick, vec3 at)
 {
   countFetches(1);
-  vec3 at = (brick.origin + (position - brick.first) * brick.scale + 0.5) * in_AtlasTexel;
-  return valueOfTexel(brick, textureLod(in_Atlas, clamp(at, brick.low, brick.high), 0.0).r);
+  return valueOfTexel(brick, textureLod(in_Atlas, at, 0.0).r);
+}
+
+float texelOf(Brick brick, vec3 position)
+{
+  return texelAt(brick, inAtlas(brick, position));
 }

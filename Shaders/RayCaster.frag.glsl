@@ -120,6 +120,9 @@ void gather(inout Gathered gathered, Ray ray, vec3 origin, Brick brick, Stretch 
     ++gathered.samples;
 #endif
   }
+#ifdef FLATBLOCK_SHADING
+  vec3 view = -normalize(in_SampleToWorld * ray.direction);
+#endif
   float target = stretch.exit;
   while (goesOn(gathered, stretch))
   {
@@ -148,7 +151,6 @@ void gather(inout Gathered gathered, Ray ray, vec3 origin, Brick brick, Stretch 
     {
 #ifdef FLATBLOCK_SHADING
       vec3 middle = origin + 0.5 * (gathered.at + target) * ray.direction;
-      vec3 view = -normalize(in_SampleToWorld * ray.direction);
       shade(piece.color, gathered.light, 1.0 - gathered.color.a, brick, middle, view);
 #endif
       gathered.color = composite(gathered.color, piece.color);

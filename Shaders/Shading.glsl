@@ -1,5 +1,5 @@
 // Blinn and Phong's light on gradients of the volume: central differences as far as the brick's
-// samples are apart. A neighbouring brick is looked up where one reaches into it.
+// samples are apart, which the bricks' aprons hold.
 
 const int MostLights = 6;
 
@@ -19,67 +19,40 @@ struct Light
   vec3 specular;  // and what is added to them, for full opacity
 };
 
-// A value beyond the brick's border. Where no brick has it, it is extrapolated by a parabola.
-float valueAround(Brick brick, vec3 middle, inout vec3 position)
-{
-  position = clamp(position, vec3(0.0), in_LastSample);
-  ivec3 last = ivec3(in_Blocks[0], in_Blocks[1], in_Blocks[2]) - 1;
-  Brick there = fetchBrick(clamp(ivec3(floor(position / float(in_CellsPerBlock))), ivec3(0), last));
-  float texel = texelOf(there, position);
-  while (!there.resident)
-  {
-    vec3 back = middle - position;
-    texel = 3.0 * (texelOf(brick, middle) - texelOf(brick, middle + back)) +
-      texelOf(brick, middle + 2.0 * back);
-    there.resident = true;
-  }
 #ifdef FLATBLOCK_HOLES
-  if (isHole(abs(texel)))
-  {
-    position = middle;
-    texel = texelOf(brick, middle);
-  }
-#endif
-  return texel;
+// Where a value is none, the one in the middle stands for it.
+void passHole(inout float value, inout float reach, float middle)
+{
+  bool isNone = isHole(abs(value));
+  value = isNone ? middle : value;
+  reach = isNone ? 0.0 : reach;
 }
+#endif
 
-// In texels a sample. What lies beyond the brick is looked up one after the other: most rays of a
-// group of pixels have nothing there, and the loop is passed by where none has.
+// In texels a sample; one-sided at the volume's faces.
 vec3 gradientAt(Brick brick, vec3 position)
 {
-  float reach = 1.0 / brick.scale;
-  vec3 first = brick.first;
-  vec3 last = min(brick.first + float(in_CellsPerBlock), in_LastSample);
-  vec3 middle = clamp(position, first, last);
-  vec3 x = vec3(reach, 0.0, 0.0);
-  vec3 y = vec3(0.0, reach, 0.0);
-  vec3 z = vec3(0.0, 0.0, reach);
-  vec3 low = vec3(
-    texelOf(brick, middle - x), texelOf(brick, middle - y), texelOf(brick, middle - z));
-  vec3 high = vec3(
-    texelOf(brick, middle + x), texelOf(brick, middle + y), texelOf(brick, middle + z));
-  vec3 lengths = vec3(2.0 * reach);
-  vec3 isBefore = vec3(lessThan(middle - reach, first));
-  vec3 isBehind = vec3(greaterThan(middle + reach, last));
+  vec3 middle =
+    clamp(position, brick.first, min(brick.first + float(in_CellsPerBlock), in_LastSample));
+  vec3 below = middle - max(middle - 1.0 / brick.scale, 0.0);
+  vec3 above = min(middle + 1.0 / brick.scale, in_LastSample) - middle;
+  vec3 at = inAtlas(brick, middle);
+  vec3 before = at - below * brick.scale * in_AtlasTexel;
+  vec3 behind = at + above * brick.scale * in_AtlasTexel;
+  vec3 low = vec3(texelAt(brick, vec3(before.x, at.yz)),
+    texelAt(brick, vec3(at.x, before.y, at.z)), texelAt(brick, vec3(at.xy, before.z)));
+  vec3 high = vec3(texelAt(brick, vec3(behind.x, at.yz)),
+    texelAt(brick, vec3(at.x, behind.y, at.z)), texelAt(brick, vec3(at.xy, behind.z)));
 #ifdef FLATBLOCK_HOLES
-  isBefore = vec3(1.0);
-  isBehind = vec3(1.0);
+  float value = texelAt(brick, at);
+  passHole(low.x, below.x, value);
+  passHole(low.y, below.y, value);
+  passHole(low.z, below.z, value);
+  passHole(high.x, above.x, value);
+  passHole(high.y, above.y, value);
+  passHole(high.z, above.z, value);
 #endif
-  while (dot(isBefore + isBehind, vec3(1.0)) > 0.0)
-  {
-    bool isLow = dot(isBefore, vec3(1.0)) > 0.0;
-    vec3 sides = isLow ? isBefore : isBehind;
-    vec3 axis = sides.x > 0.0 ? vec3(1.0, 0.0, 0.0)
-                              : (sides.y > 0.0 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0));
-    vec3 there = middle + axis * (isLow ? -reach : reach);
-    float value = valueAround(brick, middle, there);
-    low = isLow ? mix(low, vec3(value), axis) : low;
-    high = isLow ? high : mix(high, vec3(value), axis);
-    lengths += axis * (abs(dot(there - middle, axis)) - reach);
-    isBefore -= isLow ? axis : vec3(0.0);
-    isBehind -= isLow ? vec3(0.0) : axis;
-  }
-  return (high - low) / max(lengths, 1e-3);
+  return (high - low) / max(below + above, 1e-3);
 }
 
 Light lightOn(vec3 gradient, vec3 view)
@@ -112,14 +85,11 @@ Light firstLight()
   return light;
 }
 
-// A loop is passed by where no pixel of a group enters it, other than what is conditional.
 void shade(inout vec4 color, inout Light light, float share, Brick brick, vec3 position, vec3 view)
 {
-  bool counts = share * color.a > in_ShadingOpacityThreshold;
-  while (counts)
+  if (share * color.a > in_ShadingOpacityThreshold)
   {
     light = lightOn(gradientAt(brick, position), view);
-    counts = false;
   }
   color.rgb = color.rgb * light.reflected + color.a * light.specular;
 }

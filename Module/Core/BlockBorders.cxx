@@ -127,7 +127,7 @@ BrickParts GetChangedParts(const BlockBorder& before, const BlockBorder& after)
   return parts;
 }
 
-std::vector<BrickBox> GetBoxes(BrickParts parts, int side)
+std::vector<BrickBox> GetBoxes(BrickParts parts, int side, int apron)
 {
   std::vector<BrickBox> boxes;
   for (int part = 0; part < 27; ++part)
@@ -135,11 +135,12 @@ std::vector<BrickBox> GetBoxes(BrickParts parts, int side)
     if ((parts >> part & 1U) != 0)
     {
       const Index3 direction = GetDirection(part);
+      const bool isWhole = (1U << part) == WholeBrick;
       BrickBox box;
       for (int axis = 0; axis < 3; ++axis)
       {
-        box.First[axis] = direction[axis] > 0 ? side - 1 : 0;
-        box.Size[axis] = direction[axis] == 0 ? side : 1;
+        box.First[axis] = (isWhole ? 0 : apron) + (direction[axis] > 0 ? side - 1 : 0);
+        box.Size[axis] = direction[axis] == 0 ? side + (isWhole ? 2 * apron : 0) : 1;
       }
       boxes.push_back(box);
     }

@@ -48,8 +48,11 @@ struct BrickBox
   Index3 Size = { 0, 0, 0 };
 };
 
-/// The boxes of these parts of a brick; together they hold each texel of a part.
-std::vector<BrickBox> GetBoxes(BrickParts parts, int side);
+/// The boxes of these parts of a brick; together they hold each texel of a part. The apron belongs
+/// to the whole brick alone.
+///
+/// @param side  samples, without the apron
+std::vector<BrickBox> GetBoxes(BrickParts parts, int side, int apron = 0);
 
 std::int64_t CountTexels(BrickParts parts, int side);
 } // namespace flatblock

@@ -4,8 +4,8 @@
 
 namespace flatblock
 {
-BlockGrid::BlockGrid(const Index3& samples, int samplesPerBlock)
-  : Samples(samples), CellsPerBlock(samplesPerBlock - 1)
+BlockGrid::BlockGrid(const Index3& samples, int samplesPerBlock, int apron)
+  : Samples(samples), CellsPerBlock(samplesPerBlock - 1), Apron(apron)
 {
   std::transform(samples.begin(), samples.end(), this->Blocks.begin(),
     [cells = this->CellsPerBlock](int n) { return std::max(1, (n - 2) / cells + 1); });

@@ -18,12 +18,14 @@ public:
 
   /// @param samples          samples an axis, each >= 1
   /// @param samplesPerBlock  samples a block's side, 2^n + 1 with n >= 1
-  BlockGrid(const Index3& samples, int samplesPerBlock);
+  /// @param apron            samples that bricks have around their border
+  BlockGrid(const Index3& samples, int samplesPerBlock, int apron = 0);
 
   const Index3& GetSamples() const { return this->Samples; }
   const Index3& GetBlocks() const { return this->Blocks; }
   int GetSamplesPerBlock() const { return this->CellsPerBlock + 1; }
   int GetCellsPerBlock() const { return this->CellsPerBlock; }
+  int GetApron() const { return this->Apron; }
   std::int64_t GetNumberOfBlocks() const;
 
   /// The block at position (i,j,k) of the grid of blocks.
@@ -33,8 +35,11 @@ public:
   /// to the eight corners.
   int GetNumberOfLevels() const;
 
-  /// Samples a side of a block's brick at this level.
+  /// Samples a side of a block at this level.
   int GetBrickSide(int level) const { return (this->CellsPerBlock >> level) + 1; }
+
+  /// Texels a side of its brick: that, and the apron.
+  int GetTexelSide(int level) const { return this->GetBrickSide(level) + 2 * this->Apron; }
 
   /// The block's position in the grid of blocks.
   Index3 GetPosition(std::int64_t block) const;
@@ -46,5 +51,6 @@ private:
   Index3 Samples = { 0, 0, 0 };
   Index3 Blocks = { 0, 0, 0 };
   int CellsPerBlock = 0;
+  int Apron = 0;
 };
 } // namespace flatblock

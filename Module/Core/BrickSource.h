@@ -64,9 +64,10 @@ public:
   /// How borders meet coarser ones of the levels that this source makes.
   virtual Continuity GetContinuity() const = 0;
 
-  /// Writes the block's samples at a stride of 2^level as GetBrickSide(level)^3 texels, x fastest,
-  /// with the border made as coarse as asked for. Beyond the volume's far faces the last sample
-  /// repeats. Safe to call from several threads at once.
+  /// Writes the block's samples at a stride of 2^level as GetTexelSide(level)^3 texels, x fastest,
+  /// with the border made as coarse as asked for, and around it the apron, which stays at the
+  /// brick's own level. Beyond the volume's faces the last sample repeats. Safe to call from
+  /// several threads at once.
   virtual void ReadBrick(
     std::int64_t block, int level, const BlockBorder& border, void* texels) const = 0;
 };

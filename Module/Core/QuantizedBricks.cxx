@@ -37,7 +37,7 @@ QuantizedBricks::QuantizedBricks(
 void QuantizedBricks::ReadBrick(
   std::int64_t block, int level, const BlockBorder& border, void* texels) const
 {
-  const auto side = static_cast<std::size_t>(this->GetGrid().GetBrickSide(level));
+  const auto side = static_cast<std::size_t>(this->GetGrid().GetTexelSide(level));
   const std::size_t count = side * side * side;
   const TexelFormat format = this->Source.GetEncoding().Format;
   std::vector<std::uint8_t> whole(count * BytesPerTexel(format));

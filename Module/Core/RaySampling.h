@@ -40,6 +40,10 @@ struct RaySampling
   bool CountsSamples = false;
 
   static constexpr double CoarsePixelsPerRay = 4.0;
+
+  /// Samples around a brick that its derivatives reach for.
+  int GetApron() const { return this->IsShaded ? 1 : 0; }
+
   double GetPixelsOfImage() const
   {
     return this->RefinesImage ? CoarsePixelsPerRay : this->PixelsPerRay;

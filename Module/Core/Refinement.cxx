@@ -67,7 +67,7 @@ private:
   std::int64_t GetTexels(std::size_t block)
   {
     const std::int8_t level = this->Target[block];
-    std::int64_t texels = CountTexels(WholeBrick, this->Own.Grid.GetBrickSide(level));
+    std::int64_t texels = CountTexels(WholeBrick, this->Own.Grid.GetTexelSide(level));
     if (this->Own.Borders == Continuity::Off)
     {
       return texels;
@@ -144,7 +144,7 @@ private:
     for (const std::size_t block : shown)
     {
       this->SetLevel(block, std::max(first, this->Target[block]));
-      const std::int64_t side = this->Own.Grid.GetBrickSide(this->Levels[block]);
+      const std::int64_t side = this->Own.Grid.GetTexelSide(this->Levels[block]);
       this->Budget.Texels -= side * side * side;
       this->IsFirst = false;
     }
@@ -174,7 +174,7 @@ private:
     int level = std::min(coarsest, Recognizable);
     const auto texels = [this, blocks](int l)
     {
-      const std::int64_t side = this->Own.Grid.GetBrickSide(l);
+      const std::int64_t side = this->Own.Grid.GetTexelSide(l);
       return blocks * side * side * side;
     };
     while (level < coarsest && texels(level) > this->Budget.Texels)

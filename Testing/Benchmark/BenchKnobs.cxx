@@ -20,7 +20,7 @@ struct Knob
 std::vector<Value> Steps(int classification)
 {
   std::vector<Value> values;
-  for (const char* step : { "4", "2", "1", "0.5", "0.25" })
+  for (const char* step : { "4", "2", "1.41", "1.19", "1", "0.84", "0.71", "0.5", "0.25" })
   {
     values.push_back({ step, [classification, step](Setting& s)
       {
@@ -40,6 +40,18 @@ void LimitMemory(Setting& setting, int part)
 Value MemoryPart(int part)
 {
   return { "1/" + std::to_string(part), [part](Setting& s) { LimitMemory(s, part); } };
+}
+
+// What an eighth of the memory shows, by how levels are chosen and what they are chosen for.
+Value Eighth(const char* name, int criterion, int blockSize, int bits)
+{
+  return { name, [criterion, blockSize, bits](Setting& s)
+    {
+      LimitMemory(s, 8);
+      s.Mapper->SetSelectionCriterion(criterion);
+      s.Mapper->SetBlockSize(blockSize);
+      s.Mapper->SetAtlasPrecision(bits);
+    } };
 }
 
 Value ImageStep(const char* pixels)
@@ -155,6 +167,12 @@ std::vector<Knob> MakeKnobs()
     { "SampleDistance.PostInterpolation", Steps(Ours::POST_INTERPOLATION), true },
     { "SampleDistance.PreInterpolation", Steps(Ours::PRE_INTERPOLATION) },
     { "Memory", { MemoryPart(1), MemoryPart(2), MemoryPart(4), MemoryPart(8), MemoryPart(16) } },
+    { "EighthOfMemory",
+      { Eighth("distance", Ours::DISTANCE, 33, 0), Eighth("distortion", Ours::DISTORTION, 33, 0),
+        Eighth("both", Ours::DISTORTION_AND_DISTANCE, 33, 0),
+        Eighth("distortion.17", Ours::DISTORTION, 17, 0),
+        Eighth("distortion.8bit", Ours::DISTORTION, 33, 8),
+        Eighth("distortion.17.8bit", Ours::DISTORTION, 17, 8) } },
     { "ImageSampleDistance", { ImageStep("0.5"), ImageStep("1"), ImageStep("2"), ImageStep("4") } },
     { "BlockSize", { Block(17), Block(33), Block(65) } },
     { "LevelFilter", { CoarseBy("Subsample", Ours::SUBSAMPLE), CoarseBy("Tent", Ours::TENT) } },

@@ -108,6 +108,41 @@ TEST(ShadingBy, BlocksOfAnySide)
   EXPECT_LE(RootMeanSquare(DrawFloats(scene), small), 1e-3);
 }
 
+// Of a ramp, whose gradient is the same at every level.
+TEST(ShadingBy, BlocksOfAnyLevel)
+{
+  Scene scene;
+  Show(scene);
+  scene.SetVolume(MakeVolume({ 65, 65, 65 }, VTK_FLOAT,
+                    [](int x, int y, int z) { return 460.0 + x + 2.0 * y + 1.5 * z; }),
+    0.25);
+  scene.Mapper->SetSelectionCriterionToDistance();
+  scene.Mapper->AdaptiveSamplingOff();
+  const Picture fine = DrawFloats(scene);
+  EXPECT_EQ(scene.Mapper->GetNumberOfBricks(1), 0);
+  scene.Mapper->SetMaxMemoryInBytes(700000);
+  const Picture mixed = DrawFloats(scene);
+  EXPECT_GT(scene.Mapper->GetNumberOfBricks(0), 5);
+  EXPECT_GT(scene.Mapper->GetNumberOfBricks(1), 5);
+  EXPECT_LE(LargestDifference(mixed, fine), 2e-3);
+}
+
+// Bricks have an apron only where it is read.
+TEST(ShadingBy, BricksWithAnApron)
+{
+  Scene scene;
+  scene.SetVolume(
+    MakeVolume({ 33, 33, 33 }, VTK_UNSIGNED_CHAR, [](int x, int, int) { return x; }), 0.5);
+  scene.Mapper->SetBlockSize(33);
+  for (int shade : { 0, 1, 0 })
+  {
+    scene.Property->SetShade(shade);
+    scene.Window->Render();
+    const int side = shade ? 35 : 33;
+    EXPECT_EQ(scene.Mapper->GetUploadedBytes(), side * side * side) << shade;
+  }
+}
+
 TEST(ShadingBy, ShadowsOfSkipping)
 {
   Scene scene;

@@ -130,7 +130,7 @@ private:
     for (int coarser = 1; isFiltered && level + coarser < this->Grid.GetNumberOfLevels(); ++coarser)
     {
       const auto coarse = this->ReadLevel(block, level + coarser, true);
-      flatblock::CopyCoarserBorder(brick.data(), side, border, coarser, coarse.data());
+      flatblock::BrickBorder<Texel>(brick.data(), side).CopyCoarser(border, coarser, coarse.data());
     }
     flatblock::BrickBorder<Texel>(brick.data(), side).Coarsen(border);
     return brick;
@@ -215,6 +215,48 @@ TEST(BrickBorder, EqualLevelsChangeNothing)
   const auto before = brick;
   flatblock::BrickBorder<unsigned char>(brick.data(), 17).Coarsen({});
   EXPECT_EQ(brick, before);
+}
+
+TEST(BrickBorder, ApronsStay)
+{
+  constexpr int Side = 9;
+  constexpr int Outer = Side + 2;
+  const auto isInside = [](int i)
+  {
+    const std::array<int, 3> p = { i % Outer, i / Outer % Outer, i / (Outer * Outer) };
+    return std::all_of(p.begin(), p.end(), [](int at) { return at > 0 && at <= Side; });
+  };
+  std::vector<float> whole(std::size_t(Outer) * Outer * Outer);
+  std::mt19937 random(1);
+  std::generate(whole.begin(), whole.end(), [&] { return float(random() % 1000); });
+  std::vector<float> bare;
+  for (int i = 0; i < int(whole.size()); ++i)
+  {
+    bare.insert(bare.end(), isInside(i) ? 1 : 0, whole[std::size_t(i)]);
+  }
+  const auto before = whole;
+  flatblock::BorderCoarsening border;
+  std::generate(border.begin(), border.end(), [&] { return std::int8_t(random() % 3); });
+  flatblock::BrickBorder<float>(whole.data(), Side, 1).Coarsen(border);
+  flatblock::BrickBorder<float>(bare.data(), Side).Coarsen(border);
+  auto wanted = bare.begin();
+  for (int i = 0; i < int(whole.size()); ++i)
+  {
+    const auto at = std::size_t(i);
+    ASSERT_EQ(whole[at], isInside(i) ? *wanted++ : before[at]) << i;
+  }
+}
+
+TEST(BrickBorder, BoxesOfBricksWithAprons)
+{
+  const auto whole = flatblock::GetBoxes(flatblock::WholeBrick, 9, 1);
+  ASSERT_EQ(whole.size(), 1U);
+  EXPECT_EQ(whole[0].First, (flatblock::Index3{ 0, 0, 0 }));
+  EXPECT_EQ(whole[0].Size, (flatblock::Index3{ 11, 11, 11 }));
+  const auto farX = flatblock::GetBoxes(1U << 14, 9, 1); // direction (1, 0, 0)
+  ASSERT_EQ(farX.size(), 1U);
+  EXPECT_EQ(farX[0].First, (flatblock::Index3{ 9, 1, 1 }));
+  EXPECT_EQ(farX[0].Size, (flatblock::Index3{ 1, 9, 9 }));
 }
 
 // A brick with an old border to which the changed parts of a new one are copied is the new brick.

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 using flatblock::CopyBrick;
@@ -32,6 +34,27 @@ TEST(BrickCopy, RepeatsTheLastSampleBeyondTheFarFaces)
         const int z = std::min(k, 1);
         EXPECT_EQ(brick[(k * side + j) * side + i], samples[(z * 3 + y) * 4 + x]);
       }
+    }
+  }
+}
+
+// As the apron of a block at a near face has it.
+TEST(BrickCopy, RepeatsTheFirstSampleBeforeTheNearFaces)
+{
+  const std::array<int, 3> dims = { 9, 7, 1 };
+  std::vector<std::uint8_t> samples(std::size_t(9) * 7);
+  std::iota(samples.begin(), samples.end(), std::uint8_t(10));
+  for (const int stride : { 1, 2, 4 })
+  {
+    const int side = 8 / stride + 3;
+    std::vector<std::uint8_t> brick(std::size_t(side) * side * side, 0);
+    CopyBrick(samples.data(), dims, { -stride, -stride, -stride }, side, stride,
+      TexelEncoder<std::uint8_t, std::uint8_t>(), brick.data());
+    for (int i = 0; i < side * side * side; ++i)
+    {
+      const int x = std::clamp((i % side - 1) * stride, 0, dims[0] - 1);
+      const int y = std::clamp((i / side % side - 1) * stride, 0, dims[1] - 1);
+      EXPECT_EQ(brick[std::size_t(i)], samples[std::size_t(y * dims[0] + x)]) << i << " " << stride;
     }
   }
 }
