@@ -1,5 +1,7 @@
 #include "FlatBlockRayCasterProgram.h"
 
+#include "ViewRegion.h"
+
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
@@ -7,6 +9,7 @@
 #include "FlatBlockAdaptiveImageGLSL.h"
 #include "FlatBlockBlocksGLSL.h"
 #include "FlatBlockClassifiedPointGLSL.h"
+#include "FlatBlockClippingGLSL.h"
 #include "FlatBlockCountingGLSL.h"
 #include "FlatBlockPostInterpolationGLSL.h"
 #include "FlatBlockPreIntegratedGLSL.h"
@@ -35,7 +38,8 @@ std::string GetClassification(Classification method)
                                                          : FlatBlockPostInterpolationGLSL);
 }
 
-std::string GetDefines(const RaySampling& sampling, bool hasHoles, bool hasLongSums)
+std::string GetDefines(
+  const RaySampling& sampling, const Clipping& clipping, bool hasHoles, bool hasLongSums)
 {
   std::string defines;
   const auto define = [&defines](bool isSet, const char* name)
@@ -50,19 +54,26 @@ std::string GetDefines(const RaySampling& sampling, bool hasHoles, bool hasLongS
   define(sampling.HasCounts(), "FLATBLOCK_COUNTING");
   define(sampling.MostSamples > 0, "FLATBLOCK_SAMPLE_LIMIT");
   define(sampling.RayStart > 0.0, "FLATBLOCK_RAY_START");
+  if (!clipping.Planes.empty())
+  {
+    defines += "#define FLATBLOCK_CLIPPING_PLANES " + std::to_string(clipping.Planes.size()) + "\n";
+  }
+  define(clipping.Cropping.has_value(), "FLATBLOCK_CROPPING");
   return defines;
 }
 } // namespace
 
-vtkShaderProgram* ReadyRayCaster(
-  vtkOpenGLRenderWindow* window, const RaySampling& sampling, bool hasHoles, bool hasLongSums)
+vtkShaderProgram* ReadyRayCaster(vtkOpenGLRenderWindow* window, const RaySampling& sampling,
+  const Clipping& clipping, bool hasHoles, bool hasLongSums)
 {
   std::string fragment = FlatBlockRayCasterFragmentGLSL;
   const auto insert = [&fragment](const char* place, const std::string& source)
   { vtkShaderProgram::Substitute(fragment, place, source); };
-  insert("//FlatBlock::Defines", GetDefines(sampling, hasHoles, hasLongSums));
+  insert("//FlatBlock::Defines", GetDefines(sampling, clipping, hasHoles, hasLongSums));
   insert("//FlatBlock::Counting", FlatBlockCountingGLSL);
   insert("//FlatBlock::Ray", FlatBlockRayGLSL);
+  insert("//FlatBlock::Clipping",
+    clipping.Planes.empty() && !clipping.Cropping ? "" : FlatBlockClippingGLSL);
   insert("//FlatBlock::AdaptiveImage", sampling.RefinesImage ? FlatBlockAdaptiveImageGLSL : "");
   insert("//FlatBlock::Blocks", FlatBlockBlocksGLSL);
   insert("//FlatBlock::Walk", FlatBlockWalkGLSL);

@@ -39,12 +39,13 @@ void AddViewPlanes(vtkRenderer* renderer, vtkMatrix4x4* sampleToWorld, ViewRegio
   renderer->GetActiveCamera()->GetFrustumPlanes(renderer->GetTiledAspectRatio(), planes);
   for (int plane = 0; plane < 6; ++plane)
   {
-    region.Planes.push_back(ToSamples(planes + 4 * plane, sampleToWorld));
+    region.Frustum.push_back(ToSamples(planes + 4 * plane, sampleToWorld));
   }
 }
 
-void AddClippingPlanes(vtkVolumeMapper* mapper, vtkMatrix4x4* sampleToWorld, ViewRegion& region)
+Planes GetClippingPlanes(vtkVolumeMapper* mapper, vtkMatrix4x4* sampleToWorld)
 {
+  Planes inSamples;
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
   {
@@ -54,8 +55,9 @@ void AddClippingPlanes(vtkVolumeMapper* mapper, vtkMatrix4x4* sampleToWorld, Vie
     const double world[4] = { plane->FunctionValue(1.0, 0.0, 0.0) - atOrigin,
       plane->FunctionValue(0.0, 1.0, 0.0) - atOrigin,
       plane->FunctionValue(0.0, 0.0, 1.0) - atOrigin, atOrigin };
-    region.Planes.push_back(ToSamples(world, sampleToWorld));
+    inSamples.push_back(ToSamples(world, sampleToWorld));
   }
+  return inSamples;
 }
 
 std::array<double, 3> GetSpacing(vtkMatrix4x4* matrix)
@@ -113,6 +115,19 @@ CroppingRegions GetCropping(vtkVolumeMapper* mapper, vtkMatrix4x4* sampleToDataS
 }
 } // namespace
 
+Clipping GetClipping(vtkVolume* volume, vtkVolumeMapper* mapper, const VolumeInput& input)
+{
+  vtkNew<vtkMatrix4x4> sampleToWorld;
+  vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), input.SampleToDataSet, sampleToWorld);
+  Clipping clipping;
+  clipping.Planes = GetClippingPlanes(mapper, sampleToWorld);
+  if (mapper->GetCropping())
+  {
+    clipping.Cropping = GetCropping(mapper, input.SampleToDataSet);
+  }
+  return clipping;
+}
+
 VolumeView GetVolumeView(vtkRenderer* renderer, vtkVolume* volume, vtkVolumeMapper* mapper,
   const VolumeInput& input, const double pointOfInterest[3])
 {
@@ -131,11 +146,7 @@ VolumeView GetVolumeView(vtkRenderer* renderer, vtkVolume* volume, vtkVolumeMapp
   view.Camera.NearPlane = ToSamples(GetNearPlane(camera).data(), sampleToWorld);
   view.HasPlainCamera = IsPlain(camera) && !renderer->GetRenderWindow()->GetStereoRender();
   AddViewPlanes(renderer, sampleToWorld, view.Region);
-  AddClippingPlanes(mapper, sampleToWorld, view.Region);
-  if (mapper->GetCropping())
-  {
-    view.Region.Cropping = GetCropping(mapper, input.SampleToDataSet);
-  }
+  view.Region.Clipping = GetClipping(volume, mapper, input);
   return view;
 }
 } // namespace flatblock

@@ -24,6 +24,9 @@ struct VolumeView
   bool HasPlainCamera = true; ///< rays come from where the camera says that it is
 };
 
+/// By the mapper's clipping planes and cropping.
+Clipping GetClipping(vtkVolume* volume, vtkVolumeMapper* mapper, const VolumeInput& input);
+
 /// From the renderer's camera, and the mapper's clipping planes and cropping.
 ///
 /// @param pointOfInterest  world coordinates

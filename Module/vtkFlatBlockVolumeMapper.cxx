@@ -143,8 +143,6 @@ void vtkFlatBlockVolumeMapper::WarnAboutIgnoredSettings(vtkVolume* volume)
     property->HasGradientOpacity() && !property->GetDisableGradientOpacity(), "gradient opacity");
   check(property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D, "2D transfer functions");
   check(this->Internals->Input.Image->HasAnyBlankPoints(), "blanked points");
-  check(this->Cropping != 0, "cropping");
-  check(this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0, "clipping planes");
   if (!ignored.empty() && ignored != this->Internals->LastWarning)
   {
     vtkWarningMacro(<< "Not supported and ignored: " << ignored << ".");

@@ -18,9 +18,9 @@
  *
  * From vtkVolumeProperty: colour, scalar opacity, ScalarOpacityUnitDistance, interpolation (linear
  * or nearest) of the first component. Shading by the lights of the
- * renderer with the property's material. Blending is composite. Gradient opacity, 2D transfer
- * functions, blanked points, cropping and clipping planes are not supported yet; a warning says so
- * where they are set. Hardware selection passes through the volume.
+ * renderer with the property's material. Blending is composite. Clipping planes and cropping cut
+ * rays where they lie. Gradient opacity, 2D transfer functions and blanked points are not supported
+ * yet; a warning says so where they are set. Hardware selection passes through the volume.
  *
  * What cannot be drawn gives one error, and nothing is drawn until it is set right.
  *

@@ -92,6 +92,7 @@ void vtkFlatBlockVolumeMapper::CastRays(vtkRenderer* renderer, vtkVolume* volume
     volume->GetProperty()->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
   scene.HasHoles = in.Builder->GetNumberOfNonFiniteSamples() > 0;
   scene.Sampling = in.Sampling;
+  scene.Clipping = flatblock::GetClipping(volume, this, in.Input);
   vtkOpenGLRenderTimer timer;
   this->GPUMilliseconds = -1.0;
   const bool isTimed = this->Profiling && vtkOpenGLRenderTimer::IsSupported();

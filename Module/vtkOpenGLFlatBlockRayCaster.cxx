@@ -2,6 +2,7 @@
 
 #include "vtkOpenGLFlatBlockRayCaster.h"
 
+#include "FlatBlockClipping.h"
 #include "FlatBlockLighting.h"
 #include "FlatBlockRayCasterProgram.h"
 #include "FlatBlockRayGeometry.h"
@@ -145,8 +146,9 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
 bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  vtkShaderProgram* program = flatblock::ReadyRayCaster(window, scene.Sampling, scene.HasHoles,
-    this->TransferTable->NeedsLongSums(scene.Sampling.Step / scene.Sampling.UnitOfLength));
+  vtkShaderProgram* program =
+    flatblock::ReadyRayCaster(window, scene.Sampling, scene.Clipping, scene.HasHoles,
+      this->TransferTable->NeedsLongSums(scene.Sampling.Step / scene.Sampling.UnitOfLength));
   if (!program)
   {
     return false;
@@ -160,6 +162,7 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
       scene.Sampling.Step });
   this->SetRays(renderer, program, scene);
   this->SetBlocks(program, scene);
+  flatblock::SetClipping(program, scene.Clipping);
   this->TransferTable->Activate(program, scene.Source->GetEncoding());
   if (scene.Sampling.RayStart > 0.0 || scene.Sampling.IsShaded)
   {

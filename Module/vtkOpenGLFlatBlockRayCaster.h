@@ -11,6 +11,7 @@
 #include "RaySampling.h"
 #include "SkipMap.h"
 #include "TransferTable.h"
+#include "ViewRegion.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
 
@@ -49,6 +50,7 @@ public:
     bool LinearInterpolation;      ///< nearest sample otherwise
     bool HasHoles;                 ///< cells with a corner that is not finite
     flatblock::RaySampling Sampling;
+    flatblock::Clipping Clipping;
     bool IsOnlyImage = false; ///< rays stay in their image
   };
 

@@ -8,6 +8,7 @@
 
 //FlatBlock::Counting
 //FlatBlock::Ray
+//FlatBlock::Clipping
 //FlatBlock::AdaptiveImage
 //FlatBlock::Blocks
 //FlatBlock::Walk
@@ -39,6 +40,19 @@ struct Gathered
   bool isCutOff;
 #endif
 };
+
+Gathered nothingGathered()
+{
+  Gathered gathered;
+  gathered.color = vec4(0.0);
+#ifdef FLATBLOCK_COUNTING
+  gathered.samples = 0;
+#endif
+#ifdef FLATBLOCK_SAMPLE_LIMIT
+  gathered.isCutOff = false;
+#endif
+  return gathered;
+}
 
 // Where the first point of a ray lies between two of the lattice, from 0 to 1.
 float phaseOfRay()
@@ -195,7 +209,7 @@ void leap(inout Gathered gathered, Ray ray, Brick brick, Stretch stretch)
 // a coarser block has every second one, and so on. So neither block borders nor levels leave a
 // trace, nor does a leap: it ends at the last point of the lattice before what varies. Only where a
 // block that is not there begins or ends is there a point at its border.
-Gathered march(Ray ray)
+void march(inout Gathered gathered, Ray ray)
 {
   float phase = phaseOfRay();
   vec3 origin = ray.origin + (ray.begin - phase) * ray.direction;
@@ -205,8 +219,6 @@ Gathered march(Ray ray)
   Brick brick = fetchBrick(block);
   bool wasResident = false;
 
-  Gathered gathered;
-  gathered.color = vec4(0.0);
   gathered.front = noPoint();
   gathered.at = phase;
   gathered.next = phase;
@@ -214,12 +226,6 @@ Gathered march(Ray ray)
   gathered.brick = brick;
 #ifdef FLATBLOCK_SHADING
   gathered.light = firstLight();
-#endif
-#ifdef FLATBLOCK_COUNTING
-  gathered.samples = 0;
-#endif
-#ifdef FLATBLOCK_SAMPLE_LIMIT
-  gathered.isCutOff = false;
 #endif
   Stretch stretch;
   stretch.entry = phase;
@@ -269,13 +275,32 @@ Gathered march(Ray ray)
     brick = beyond;
     stretch.entry = stretch.exit;
   }
-  return gathered;
+}
+
+// Part after part, where the ray is cut into some.
+void marchThroughParts(inout Gathered gathered, Ray ray)
+{
+#ifdef FLATBLOCK_CROPPING
+  Cropping cropping = cropRay(ray);
+  Ray part = ray;
+  while (part.begin < ray.end && !isAtEnd(gathered))
+  {
+    findShown(cropping, part, ray.end);
+    march(gathered, part);
+    part.begin = part.end;
+  }
+#else
+  march(gathered, ray);
+#endif
 }
 
 void main()
 {
   Ray ray = rayThroughBox();
   clipToScene(ray);
+#ifdef FLATBLOCK_CLIPPING_PLANES
+  clipToPlanes(ray);
+#endif
   if (ray.begin >= ray.end)
   {
     discard;
@@ -285,7 +310,8 @@ void main()
   bool isBetween = isBetweenRays(between);
   ray.end = isBetween ? ray.begin : ray.end;
 #endif
-  Gathered gathered = march(ray);
+  Gathered gathered = nothingGathered();
+  marchThroughParts(gathered, ray);
 #ifdef FLATBLOCK_ADAPTIVE_IMAGE
   gathered.color = isBetween ? between : gathered.color;
 #endif

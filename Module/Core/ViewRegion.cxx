@@ -80,14 +80,18 @@ std::vector<BlockRank> RankBlocks(
   std::vector<BlockRank> ranks(visible.size());
   std::transform(visible.begin(), visible.end(), ranks.begin(),
     [](std::uint8_t v) { return v ? BlockRank::InView : BlockRank::Transparent; });
-  for (const auto& plane : region.Planes)
+  for (const Planes* planes : { &region.Frustum, &region.Clipping.Planes })
   {
-    ApplyPlane(grid, plane, ranks);
+    for (const auto& plane : *planes)
+    {
+      ApplyPlane(grid, plane, ranks);
+    }
   }
-  for (std::size_t block = 0; region.Cropping && block < ranks.size(); ++block)
+  const std::optional<CroppingRegions>& cropping = region.Clipping.Cropping;
+  for (std::size_t block = 0; cropping && block < ranks.size(); ++block)
   {
     if (ranks[block] == BlockRank::InView &&
-        !IsShown(*region.Cropping, grid.GetFirstSample(static_cast<std::int64_t>(block)),
+        !IsShown(*cropping, grid.GetFirstSample(static_cast<std::int64_t>(block)),
           grid.GetCellsPerBlock()))
     {
       ranks[block] = BlockRank::OutOfView;

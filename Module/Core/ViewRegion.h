@@ -35,16 +35,29 @@ struct CroppingRegions
   }
 };
 
+/// Planes (a, b, c, d) in samples: what has a x + b y + c z + d < 0 on any of them is cut off.
+using Planes = std::vector<std::array<double, 4>>;
+
+/// What is cut off a volume.
+struct Clipping
+{
+  flatblock::Planes Planes;
+  std::optional<CroppingRegions> Cropping;
+
+  bool operator==(const Clipping& other) const
+  {
+    return this->Planes == other.Planes && this->Cropping == other.Cropping;
+  }
+};
+
 struct ViewRegion
 {
-  /// Planes (a, b, c, d) in samples: what has a x + b y + c z + d < 0 on any of them is out of
-  /// view.
-  std::vector<std::array<double, 4>> Planes;
-  std::optional<CroppingRegions> Cropping;
+  Planes Frustum;
+  flatblock::Clipping Clipping;
 
   bool operator==(const ViewRegion& other) const
   {
-    return this->Planes == other.Planes && this->Cropping == other.Cropping;
+    return this->Frustum == other.Frustum && this->Clipping == other.Clipping;
   }
 };
 

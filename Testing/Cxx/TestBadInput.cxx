@@ -7,6 +7,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
@@ -257,7 +258,10 @@ TEST(BadInput, IgnoredSettingsAreNamedOnce)
   scene.SetRamp(20.0, 240.0, 0.3);
   scene.LookFrom(33.0, 21.0);
   const auto before = scene.Draw();
-  scene.Mapper->CroppingOn();
+  vtkNew<vtkPiecewiseFunction> steep;
+  steep->AddPoint(0.0, 0.0);
+  steep->AddPoint(10.0, 1.0);
+  scene.Property->SetGradientOpacity(steep);
   scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
   const Messages messages = Listen(
     [&]
@@ -266,7 +270,8 @@ TEST(BadInput, IgnoredSettingsAreNamedOnce)
       EXPECT_EQ(LargestDifference(before, scene.Draw()), 0.0);
     });
   ASSERT_EQ(messages.Warnings.size(), 1U);
-  EXPECT_NE(messages.Warnings[0].find("2D transfer functions, cropping"), std::string::npos);
+  EXPECT_NE(
+    messages.Warnings[0].find("gradient opacity, 2D transfer functions"), std::string::npos);
 }
 
 TEST(BadInput, StepTooSmallIsLengthened)

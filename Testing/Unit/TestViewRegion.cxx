@@ -29,7 +29,7 @@ std::int64_t CountInView(const ViewRegion& region)
 ViewRegion MakeCropping(int flags)
 {
   ViewRegion region;
-  region.Cropping = CroppingRegions{ { -200.0, -80.0, 80.0, 200.0, 80.0, 200.0 }, flags,
+  region.Clipping.Cropping = CroppingRegions{ { -200.0, -80.0, 80.0, 200.0, 80.0, 200.0 }, flags,
     { { { -2.0, 0.0, 0.0, 0.0 }, { 0.0, 2.0, 0.0, 0.0 }, { 0.0, 0.0, 2.0, 0.0 } } } };
   return region;
 }
@@ -43,11 +43,13 @@ TEST(ViewRegion, EverythingIsInViewWithoutLimits)
 TEST(ViewRegion, PlanesCutOffWhatLiesWhollyBeyond)
 {
   ViewRegion region;
-  region.Planes = { { 1.0, 0.0, 0.0, -85.0 } }; // x >= 85, in the sixth block
+  region.Clipping.Planes = { { 1.0, 0.0, 0.0, -85.0 } }; // x >= 85, in the sixth block
   EXPECT_EQ(CountInView(region), 500);
-  region.Planes.push_back({ 0.0, -2.0, 0.0, 30.0 }); // y <= 15, in the first block
+  region.Frustum.push_back({ 0.0, -2.0, 0.0, 30.0 }); // y <= 15, in the first block
   EXPECT_EQ(CountInView(region), 50);
-  region.Planes = { { -1.0, -1.0, -1.0, 17.0 } }; // a corner: the first block and its neighbours
+  region.Frustum.clear();
+  region.Clipping.Planes = { { -1.0, -1.0, -1.0,
+    17.0 } }; // a corner: the first block and its neighbours
   EXPECT_EQ(CountInView(region), 3);
 }
 
