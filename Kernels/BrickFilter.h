@@ -128,5 +128,4 @@ private:
   std::vector<float> AlongY;
   std::vector<float> AlongZ;
 };
-
 } // namespace flatblock
