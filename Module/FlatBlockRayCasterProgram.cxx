@@ -10,15 +10,23 @@
 #include "FlatBlockBlocksGLSL.h"
 #include "FlatBlockClassifiedPointGLSL.h"
 #include "FlatBlockClippingGLSL.h"
+#include "FlatBlockCompositingGLSL.h"
 #include "FlatBlockCountingGLSL.h"
+#include "FlatBlockExtremesGLSL.h"
+#include "FlatBlockIsosurfacesGLSL.h"
+#include "FlatBlockMarchGLSL.h"
 #include "FlatBlockPostInterpolationGLSL.h"
 #include "FlatBlockPreIntegratedGLSL.h"
 #include "FlatBlockPreInterpolationGLSL.h"
+#include "FlatBlockProgressGLSL.h"
 #include "FlatBlockRayCasterFragmentGLSL.h"
 #include "FlatBlockRayCasterVertexGLSL.h"
 #include "FlatBlockRayGLSL.h"
 #include "FlatBlockShadingGLSL.h"
+#include "FlatBlockSliceGLSL.h"
+#include "FlatBlockSumsGLSL.h"
 #include "FlatBlockTransferTableGLSL.h"
+#include "FlatBlockValuePointGLSL.h"
 #include "FlatBlockWalkGLSL.h"
 
 #include <string>
@@ -27,8 +35,13 @@ namespace flatblock
 {
 namespace
 {
-std::string GetClassification(Classification method)
+std::string GetClassification(const RaySampling& sampling)
 {
+  const Classification method = sampling.Method;
+  if (!sampling.Blending.IsComposite())
+  {
+    return FlatBlockValuePointGLSL;
+  }
   if (method == Classification::PreIntegrated)
   {
     return FlatBlockPreIntegratedGLSL;
@@ -36,6 +49,25 @@ std::string GetClassification(Classification method)
   return std::string(FlatBlockClassifiedPointGLSL) + (method == Classification::PreInterpolation
                                                          ? FlatBlockPreInterpolationGLSL
                                                          : FlatBlockPostInterpolationGLSL);
+}
+
+const char* GetGathering(const Blending& blending)
+{
+  switch (blending.Mode)
+  {
+  case BlendMode::Maximum:
+  case BlendMode::Minimum:
+    return FlatBlockExtremesGLSL;
+  case BlendMode::Average:
+  case BlendMode::Additive:
+    return FlatBlockSumsGLSL;
+  case BlendMode::Isosurface:
+    return FlatBlockIsosurfacesGLSL;
+  case BlendMode::Slice:
+    return FlatBlockSliceGLSL;
+  default:
+    return FlatBlockCompositingGLSL;
+  }
 }
 
 std::string GetDefines(
@@ -51,9 +83,17 @@ std::string GetDefines(
   define(sampling.Jittering, "FLATBLOCK_JITTERING");
   define(sampling.RefinesImage, "FLATBLOCK_ADAPTIVE_IMAGE");
   define(sampling.IsShaded, "FLATBLOCK_SHADING");
+  define(sampling.Blending.IsExtreme(), "FLATBLOCK_EXTREMES");
+  define(sampling.Blending.Mode == BlendMode::Minimum, "FLATBLOCK_MINIMUM");
+  define(sampling.Blending.Mode == BlendMode::Average, "FLATBLOCK_AVERAGE");
   define(sampling.HasCounts(), "FLATBLOCK_COUNTING");
   define(sampling.MostSamples > 0, "FLATBLOCK_SAMPLE_LIMIT");
   define(sampling.RayStart > 0.0, "FLATBLOCK_RAY_START");
+  if (sampling.Blending.Mode == BlendMode::Isosurface)
+  {
+    defines +=
+      "#define FLATBLOCK_ISOSURFACES " + std::to_string(sampling.Blending.IsoValues.size()) + "\n";
+  }
   if (!clipping.Planes.empty())
   {
     defines += "#define FLATBLOCK_CLIPPING_PLANES " + std::to_string(clipping.Planes.size()) + "\n";
@@ -78,8 +118,12 @@ vtkShaderProgram* ReadyRayCaster(vtkOpenGLRenderWindow* window, const RaySamplin
   insert("//FlatBlock::Blocks", FlatBlockBlocksGLSL);
   insert("//FlatBlock::Walk", FlatBlockWalkGLSL);
   insert("//FlatBlock::TransferTable", FlatBlockTransferTableGLSL);
-  insert("//FlatBlock::Classification", GetClassification(sampling.Method));
+  insert("//FlatBlock::Classification", GetClassification(sampling));
   insert("//FlatBlock::Shading", sampling.IsShaded ? FlatBlockShadingGLSL : "");
+  const bool isMarched = sampling.Blending.Mode != BlendMode::Slice;
+  insert("//FlatBlock::Progress", FlatBlockProgressGLSL);
+  insert("//FlatBlock::Gathering", GetGathering(sampling.Blending));
+  insert("//FlatBlock::March", isMarched ? FlatBlockMarchGLSL : "");
   return window->GetShaderCache()->ReadyShaderProgram(
     FlatBlockRayCasterVertexGLSL, fragment.c_str(), "");
 }

@@ -11,6 +11,7 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,19 +44,23 @@ void AddViewPlanes(vtkRenderer* renderer, vtkMatrix4x4* sampleToWorld, ViewRegio
   }
 }
 
+// A plane may have a transform: it is asked instead of taken apart.
+std::array<double, 4> PlaneToSamples(vtkImplicitFunction* plane, vtkMatrix4x4* sampleToWorld)
+{
+  const double atOrigin = plane->FunctionValue(0.0, 0.0, 0.0);
+  const double world[4] = { plane->FunctionValue(1.0, 0.0, 0.0) - atOrigin,
+    plane->FunctionValue(0.0, 1.0, 0.0) - atOrigin, plane->FunctionValue(0.0, 0.0, 1.0) - atOrigin,
+    atOrigin };
+  return ToSamples(world, sampleToWorld);
+}
+
 Planes GetClippingPlanes(vtkVolumeMapper* mapper, vtkMatrix4x4* sampleToWorld)
 {
   Planes inSamples;
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
   {
-    vtkPlane* plane = planes->GetItem(i);
-    // A plane may have a transform: it is asked instead of taken apart.
-    const double atOrigin = plane->FunctionValue(0.0, 0.0, 0.0);
-    const double world[4] = { plane->FunctionValue(1.0, 0.0, 0.0) - atOrigin,
-      plane->FunctionValue(0.0, 1.0, 0.0) - atOrigin,
-      plane->FunctionValue(0.0, 0.0, 1.0) - atOrigin, atOrigin };
-    inSamples.push_back(ToSamples(world, sampleToWorld));
+    inSamples.push_back(PlaneToSamples(planes->GetItem(i), sampleToWorld));
   }
   return inSamples;
 }
@@ -124,6 +129,11 @@ Clipping GetClipping(vtkVolume* volume, vtkVolumeMapper* mapper, const VolumeInp
   if (mapper->GetCropping())
   {
     clipping.Cropping = GetCropping(mapper, input.SampleToDataSet);
+  }
+  vtkImplicitFunction* slice = volume->GetProperty()->GetSliceFunction();
+  if (mapper->GetBlendMode() == vtkVolumeMapper::SLICE_BLEND && slice)
+  {
+    clipping.Slice = PlaneToSamples(slice, sampleToWorld);
   }
   return clipping;
 }

@@ -240,7 +240,7 @@ void vtkFlatBlockBuilder::BuildSource(const T* samples)
 }
 
 // What a filter and an apron take from around a block is of its neighbours' ranges.
-void vtkFlatBlockBuilder::Quantize()
+std::vector<flatblock::TexelRange> vtkFlatBlockBuilder::GetTexelRanges() const
 {
   const flatblock::TexelEncoding& encoding = this->Source->GetEncoding();
   std::vector<flatblock::TexelRange> ranges(this->BlockRanges.size());
@@ -250,12 +250,15 @@ void vtkFlatBlockBuilder::Quantize()
       return { static_cast<float>((range.Lowest - encoding.Offset) / encoding.Scale),
         static_cast<float>((range.Highest - range.Lowest) / encoding.Scale) };
     });
-  if (this->BuiltBricks.Filter == flatblock::LevelFilter::Tent || this->BuiltBricks.Apron > 0)
-  {
-    ranges = flatblock::WidenRanges(this->Grid.GetBlocks(), ranges);
-  }
+  const bool isWidened =
+    this->BuiltBricks.Filter == flatblock::LevelFilter::Tent || this->BuiltBricks.Apron > 0;
+  return isWidened ? flatblock::WidenRanges(this->Grid.GetBlocks(), ranges) : ranges;
+}
+
+void vtkFlatBlockBuilder::Quantize()
+{
   this->Quantized = std::make_unique<flatblock::QuantizedBricks>(
-    *this->Source, std::move(ranges), this->BuiltBricks.Bits);
+    *this->Source, this->GetTexelRanges(), this->BuiltBricks.Bits);
 }
 
 const std::vector<flatblock::CellRange>& vtkFlatBlockBuilder::GetCellRanges(int cells)

@@ -58,6 +58,9 @@ public:
   {
     return this->Quantized ? *this->Quantized : *this->Source;
   }
+  /// Of the texels that a block may show; a block without a finite sample has an extent below 0.
+  std::vector<flatblock::TexelRange> GetTexelRanges() const;
+
   bool HasIntegers() const
   {
     return this->Source->GetEncoding().Format != flatblock::TexelFormat::Float32;

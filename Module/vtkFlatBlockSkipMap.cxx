@@ -75,7 +75,7 @@ void vtkFlatBlockSkipMap::Update(vtkFlatBlockBuilder* builder,
   const flatblock::CubeGrid grid = { CountCubes(blocks, cells), blocks.GetBlocks(),
     blocks.GetCellsPerBlock() / cells };
   std::vector<flatblock::SkipMap::Kind> kinds =
-    Classify(builder->GetCellRanges(cells), builder->GetCellScale(), function->GetTable());
+    Classify(builder->GetCellRanges(cells), builder->GetCellScale(), function->GetDecisiveValues());
   if (!settings.LeapsMatter)
   {
     std::replace(kinds.begin(), kinds.end(), flatblock::SkipMap::Kind::Constant,

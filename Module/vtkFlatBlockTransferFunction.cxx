@@ -153,13 +153,13 @@ void CheckNodes(vtkVolumeProperty* property)
 }
 } // namespace
 
-bool vtkFlatBlockTransferFunction::Update(
-  vtkVolumeProperty* property, const flatblock::ValueRange& range, double unitOfLength)
+bool vtkFlatBlockTransferFunction::Update(vtkVolumeProperty* property,
+  const flatblock::ValueRange& range, double unitOfLength, const flatblock::Blending& blending)
 {
   const vtkMTimeType edited = GetLastEdit(property);
   if (this->BuiltProperty == property && this->BuiltTime == edited &&
-      this->BuiltUnit == unitOfLength && this->Table.GetLowest() == range.Lowest &&
-      this->Table.GetHighest() == range.Highest)
+      this->BuiltUnit == unitOfLength && this->BuiltBlending == blending &&
+      this->Table.GetLowest() == range.Lowest && this->Table.GetHighest() == range.Highest)
   {
     return false;
   }
@@ -169,7 +169,8 @@ bool vtkFlatBlockTransferFunction::Update(
   std::vector<double> opacities(count);
   property->GetScalarOpacity()->GetTable(range.Lowest, range.Highest, count, opacities.data());
 
-  const double distance = property->GetScalarOpacityUnitDistance() / unitOfLength;
+  const double distance =
+    blending.IsComposite() ? property->GetScalarOpacityUnitDistance() / unitOfLength : 1.0;
   std::vector<flatblock::TransferTable::Entry> entries(count);
   for (int i = 0; i < count; ++i)
   {
@@ -177,6 +178,8 @@ bool vtkFlatBlockTransferFunction::Update(
       static_cast<float>(flatblock::GetExtinction(opacities[i], distance)) };
   }
   this->Table = flatblock::TransferTable(range.Lowest, range.Highest, std::move(entries));
+  this->DecisiveValues = flatblock::GetDecisiveValues(this->Table, blending);
+  this->BuiltBlending = blending;
   this->BuiltProperty = property;
   this->BuiltTime = edited;
   this->BuiltUnit = unitOfLength;

@@ -10,6 +10,7 @@
 
 #include "BlockRanges.h"
 #include "ClassifiedTable.h"
+#include "Blending.h"
 #include "TransferTable.h"
 #include "vtkObject.h"
 #include "vtkTimeStamp.h"
@@ -25,12 +26,14 @@ public:
 
   /**
    * Samples colour and scalar opacity of the first component over `range`, as the extinction of
-   * `unitOfLength`. Has entries at every integer of ranges up to 8191, and as many as the
-   * nodes of the functions ask for, from 1024 to 8192.
+   * `unitOfLength`; where blending is not composite, as that of the length 1. Has entries at every
+   * integer of ranges up to 8191, and as many as the nodes of the functions ask for, from 1024 to
+   * 8192.
    * @return whether the table was built anew
    * @throws std::runtime_error where a node of the functions is not a number
    */
-  bool Update(vtkVolumeProperty* property, const flatblock::ValueRange& range, double unitOfLength);
+  bool Update(vtkVolumeProperty* property, const flatblock::ValueRange& range, double unitOfLength,
+    const flatblock::Blending& blending);
 
   /**
    * Samples the same as people see it, with the opacity of the unit distance: so it does not depend
@@ -44,6 +47,11 @@ public:
 
   const flatblock::TransferTable& GetTable() const { return this->Table; }
 
+  /**
+   * Which values make a difference.
+   */
+  const flatblock::TransferTable& GetDecisiveValues() const { return this->DecisiveValues; }
+
 protected:
   vtkFlatBlockTransferFunction() = default;
   ~vtkFlatBlockTransferFunction() override = default;
@@ -53,10 +61,12 @@ private:
   void operator=(const vtkFlatBlockTransferFunction&) = delete;
 
   flatblock::TransferTable Table;
+  flatblock::TransferTable DecisiveValues;
 
   vtkVolumeProperty* BuiltProperty = nullptr; // only compared with
   vtkMTimeType BuiltTime = 0;
   double BuiltUnit = 0.0;
+  flatblock::Blending BuiltBlending;
 
   flatblock::ClassifiedTable Classified;
   vtkTimeStamp ClassifiedTime;

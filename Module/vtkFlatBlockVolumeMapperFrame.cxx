@@ -34,11 +34,6 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
     throw std::runtime_error("The volume has no vtkVolumeProperty.");
   }
   in.Property = volume->GetProperty();
-  if (this->BlendMode != COMPOSITE_BLEND)
-  {
-    throw std::runtime_error("Only composite blending is supported, not blend mode " +
-                             std::to_string(this->BlendMode) + ".");
-  }
   in.Input = flatblock::GetVolumeInput(*this);
   this->AdjustSampling(renderer, volume);
   this->WarnAboutIgnoredSettings(volume);
@@ -50,8 +45,9 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   this->UpdateAtlas(renderer, volume);
   vtkFlatBlockSkipMap::Settings settings;
   settings.IsFiltered = this->LevelFilter == TENT;
-  settings.LeapsMatter = this->HomogeneousLeaps && !in.Sampling.IsShaded;
-  settings.Tolerance = this->VariationTolerance;
+  const bool isComposite = in.Sampling.Blending.IsComposite();
+  settings.LeapsMatter = this->HomogeneousLeaps && !in.Sampling.IsShaded && isComposite;
+  settings.Tolerance = isComposite ? this->VariationTolerance : 0.0;
   in.UpdateSkipMap(settings);
   in.UpdateBrickRanges();
   this->DrawRays(renderer, volume);
@@ -88,6 +84,7 @@ void vtkFlatBlockVolumeMapper::CastRays(vtkRenderer* renderer, vtkVolume* volume
   scene.SampleToDataSet = in.Input.SampleToDataSet;
   scene.DataSetToWorld = volume->GetMatrix();
   scene.Material = in.Property;
+  scene.Table = &in.TransferFunction->GetTable();
   scene.LinearInterpolation =
     volume->GetProperty()->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
   scene.HasHoles = in.Builder->GetNumberOfNonFiniteSamples() > 0;
@@ -142,8 +139,8 @@ void vtkFlatBlockVolumeMapper::UpdateTransferTable(vtkVolume* volume)
   vtkInternals& in = *this->Internals;
   flatblock::StageTimer timer(in.Statistics.RangeMilliseconds);
   in.TransferFunction->Update(
-    volume->GetProperty(), in.Builder->GetRange(), in.Sampling.UnitOfLength);
-  const flatblock::TransferTable& table = in.TransferFunction->GetTable();
+    volume->GetProperty(), in.Builder->GetRange(), in.Sampling.UnitOfLength, in.Sampling.Blending);
+  const flatblock::TransferTable& table = in.TransferFunction->GetDecisiveValues();
   if (std::max(in.TransferFunction->GetMTime(), in.Builder->GetMTime()) > in.VisibleBlocksTime)
   {
     const auto& ranges = in.Builder->GetBlockRanges();
@@ -193,7 +190,8 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
                           : this->PointOfInterest;
   const flatblock::VolumeView view =
     flatblock::GetVolumeView(renderer, volume, this, in.Input, point);
-  const bool isWeighted = isLimited && this->VisibilityWeighting && view.HasPlainCamera;
+  const bool isWeighted = isLimited && this->VisibilityWeighting && view.HasPlainCamera &&
+                          in.Sampling.Blending.IsComposite();
   if (isWeighted)
   {
     in.UpdateClassified();

@@ -3,28 +3,31 @@
 
 #include <stdexcept>
 
-// Bricks of few bits in vtkFlatBlockVolumeMapper, on scales of their own.
+// Ranges of bricks in vtkFlatBlockVolumeMapper: for those of few bits, on scales of their own, and
+// for extremes.
 
 vtkTypeInt64 vtkFlatBlockVolumeMapper::vtkInternals::GetBrickRangeBytes() const
 {
-  const auto& ranges = this->Builder->GetSource().GetRanges();
-  return ranges.empty()
-           ? 0
-           : vtkOpenGLFlatBlockBrickRanges::GetBytes(static_cast<vtkTypeInt64>(ranges.size()));
+  const bool hasRanges =
+    this->Sampling.Blending.IsExtreme() || !this->Builder->GetSource().GetRanges().empty();
+  return hasRanges ? vtkOpenGLFlatBlockBrickRanges::GetBytes(
+                       this->Builder->GetSource().GetGrid().GetNumberOfBlocks())
+                   : 0;
 }
 
 void vtkFlatBlockVolumeMapper::vtkInternals::UpdateBrickRanges()
 {
-  const auto& ranges = this->Builder->GetSource().GetRanges();
-  this->Sampling.HasBrickRanges = !ranges.empty();
-  if (this->AreBrickRangesCurrent && this->RayCaster->HasBrickRanges() == !ranges.empty())
+  this->Sampling.HasBrickRanges = !this->Builder->GetSource().GetRanges().empty();
+  const bool isUsed = this->Sampling.UsesRanges();
+  if (this->AreBrickRangesCurrent && this->RayCaster->HasBrickRanges() == isUsed)
   {
     return;
   }
   flatblock::StageTimer timer(this->Statistics.UploadMilliseconds);
-  if (!this->RayCaster->SetBrickRanges(this->Window, ranges))
+  if (!this->RayCaster->SetBrickRanges(this->Window,
+        isUsed ? this->Builder->GetTexelRanges() : std::vector<flatblock::TexelRange>()))
   {
-    throw std::runtime_error("The graphics card has no memory for the scales of the bricks.");
+    throw std::runtime_error("The graphics card has no memory for the ranges of the bricks.");
   }
   this->AreBrickRangesCurrent = true;
 }

@@ -1,3 +1,4 @@
+#include "FlatBlockBlending.h"
 #include "RoundUp.h"
 #include "vtkFlatBlockVolumeMapperInternals.h"
 
@@ -26,10 +27,10 @@ namespace
 // Images of less are not worth it; and the memory that is kept free for one is a quarter.
 constexpr double LeastInteractiveFactor = 2.0;
 
-flatblock::Classification GetMethod(int classification, vtkVolume* volume)
+flatblock::Classification GetMethod(int classification, vtkVolume* volume, bool isComposite)
 {
   // Between nearest samples there is nothing to integrate or to interpolate.
-  if (volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION)
+  if (volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION || !isComposite)
   {
     return flatblock::Classification::PostInterpolation;
   }
@@ -54,7 +55,9 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
 {
   vtkInternals& in = *this->Internals;
   flatblock::RaySampling& sampling = in.Sampling;
-  sampling.Method = GetMethod(this->Classification, volume);
+  sampling.Blending = flatblock::GetBlending(this, volume->GetProperty());
+  sampling.Method = GetMethod(this->Classification, volume, sampling.Blending.IsComposite());
+  sampling.UnitOfOpacity = volume->GetProperty()->GetScalarOpacityUnitDistance();
   sampling.UnitOfLength = in.Input.SmallestSpacing;
   // Beyond these nothing changes in the picture, and single precision would overflow.
   sampling.Step = std::clamp(
@@ -70,7 +73,7 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   }
   sampling.Jittering = this->UseJittering;
   sampling.Adaptive = this->AdaptiveSampling;
-  sampling.IsShaded = volume->GetProperty()->GetShade() != 0;
+  sampling.IsShaded = volume->GetProperty()->GetShade() != 0 && sampling.Blending.HasSurfaces();
   sampling.ShadingThreshold = this->ShadingOpacityThreshold;
   sampling.MostSamples = this->MaximumNumberOfSamples;
   sampling.CountsSamples = this->CountSamples;

@@ -2,6 +2,7 @@
 
 #include "vtkOpenGLFlatBlockRayCaster.h"
 
+#include "FlatBlockBlending.h"
 #include "FlatBlockClipping.h"
 #include "FlatBlockLighting.h"
 #include "FlatBlockRayCasterProgram.h"
@@ -163,6 +164,7 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   this->SetRays(renderer, program, scene);
   this->SetBlocks(program, scene);
   flatblock::SetClipping(program, scene.Clipping);
+  flatblock::SetBlending(program, scene.Sampling, scene.Clipping, *scene.Table);
   this->TransferTable->Activate(program, scene.Source->GetEncoding());
   if (scene.Sampling.RayStart > 0.0 || scene.Sampling.IsShaded)
   {
@@ -200,7 +202,7 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   {
     this->SkipTexture->Deactivate();
   }
-  if (scene.Sampling.HasBrickRanges)
+  if (scene.Sampling.UsesRanges())
   {
     this->BrickRanges->Deactivate();
   }
@@ -230,7 +232,6 @@ void vtkOpenGLFlatBlockRayCaster::SetRays(
     "in_ViewportOrigin", isToImage ? imageOrigin : this->SceneDepth->GetOrigin());
   program->SetUniform2f("in_PixelsPerRay", pixelsPerRay);
   program->SetUniformf("in_StepLength", static_cast<float>(sampling.Step / sampling.UnitOfLength));
-  program->SetUniformf("in_EnoughOpacity", static_cast<float>(sampling.EnoughOpacity));
   program->SetUniformf("in_AdaptiveSampling", sampling.Adaptive ? 1.0F : 0.0F);
   if (sampling.RefinesImage)
   {
@@ -269,7 +270,7 @@ void vtkOpenGLFlatBlockRayCaster::SetBlocks(vtkShaderProgram* program, const Sce
   program->SetUniform3f("in_AtlasTexel", texel);
   program->SetUniformi("in_CellsPerBlock", grid.GetCellsPerBlock());
   program->SetUniform1iv("in_Blocks", 3, grid.GetBlocks().data());
-  if (scene.Sampling.HasBrickRanges)
+  if (scene.Sampling.UsesRanges())
   {
     this->BrickRanges->Activate(program);
   }

@@ -46,9 +46,10 @@ public:
     vtkOpenGLFlatBlockAtlas* Atlas;
     vtkMatrix4x4* SampleToDataSet; ///< spacing, origin and direction
     vtkMatrix4x4* DataSetToWorld;  ///< the prop's matrix
-    vtkVolumeProperty* Material;   ///< where the sampling is shaded
-    bool LinearInterpolation;      ///< nearest sample otherwise
-    bool HasHoles;                 ///< cells with a corner that is not finite
+    const flatblock::TransferTable* Table;
+    vtkVolumeProperty* Material; ///< where the sampling is shaded
+    bool LinearInterpolation;    ///< nearest sample otherwise
+    bool HasHoles;               ///< cells with a corner that is not finite
     flatblock::RaySampling Sampling;
     flatblock::Clipping Clipping;
     bool IsOnlyImage = false; ///< rays stay in their image

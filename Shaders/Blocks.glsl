@@ -7,7 +7,8 @@ uniform int in_CellsPerBlock;
 uniform vec3 in_AtlasTexel;       // 1 / texels an axis
 uniform float in_AdaptiveSampling; // 1: the step doubles a level, 0: it is the same everywhere
 
-#ifdef FLATBLOCK_BRICK_RANGES
+#if defined(FLATBLOCK_BRICK_RANGES) || defined(FLATBLOCK_EXTREMES)
+#define FLATBLOCK_HAS_RANGES
 uniform sampler2D in_BrickRanges; // of a block's texels: lowest, and from there to the highest
 #endif
 
@@ -29,7 +30,7 @@ struct Brick
   int side;    // texels
   vec3 low;    // first and last texel in the atlas, with the apron
   vec3 high;
-#ifdef FLATBLOCK_BRICK_RANGES
+#ifdef FLATBLOCK_HAS_RANGES
   vec2 range;
 #endif
 };
@@ -50,7 +51,7 @@ Brick fetchBrick(ivec3 block)
   brick.side = (in_CellsPerBlock >> int(entry.w)) + 1;
   brick.low = (brick.origin + 0.5 - Apron) * in_AtlasTexel;
   brick.high = (brick.origin + float(in_CellsPerBlock) * brick.scale + 0.5 + Apron) * in_AtlasTexel;
-#ifdef FLATBLOCK_BRICK_RANGES
+#ifdef FLATBLOCK_HAS_RANGES
   countFetches(1);
   brick.range = texelFetch(in_BrickRanges, ivec2(number % width, number / width), 0).rg;
 #endif

@@ -1,6 +1,8 @@
 /// How rays are sampled and classified.
 #pragma once
 
+#include "Blending.h"
+
 namespace flatblock
 {
 enum class Classification
@@ -21,6 +23,7 @@ struct RayCounts
 
 struct RaySampling
 {
+  flatblock::Blending Blending;
   Classification Method = Classification::PreIntegrated;
   double Step = 1.0;         ///< between samples at the finest level, in the data set's unit
   double UnitOfLength = 1.0; ///< of extinctions, in the data set's unit: the smallest spacing
@@ -33,6 +36,7 @@ struct RaySampling
   int MostSamples = 0;           ///< of a ray; 0: no limit
   double RayStart = 0.0;         ///< in world units from the eye, or the near plane
   double EnoughOpacity = 1.0;    ///< at which a ray ends
+  double UnitOfOpacity = 1.0;    ///< that it is meant over in sums, in the data set's unit
 
   bool HasBrickRanges = false; ///< texels are on a scale of their brick
   bool RefinesImage = false;   ///< rays of a coarse grid come first, others only where they differ
@@ -43,6 +47,9 @@ struct RaySampling
 
   /// Samples around a brick that its derivatives reach for.
   int GetApron() const { return this->IsShaded ? 1 : 0; }
+
+  /// Whether rays ask for the values that a block has.
+  bool UsesRanges() const { return this->HasBrickRanges || this->Blending.IsExtreme(); }
 
   double GetPixelsOfImage() const
   {

@@ -22,7 +22,11 @@ double TransferTable::GetPosition(double value) const
 {
   const double span = this->Highest - this->Lowest;
   const double last = static_cast<double>(this->Entries.size() - 1);
-  return span > 0.0 ? std::clamp((value - this->Lowest) / span, 0.0, 1.0) * last : 0.0;
+  if (span > 0.0)
+  {
+    return (value - this->Lowest) / span * last;
+  }
+  return value < this->Lowest ? -1.0 : (value > this->Lowest ? last + 1.0 : 0.0);
 }
 
 // Those that have a part in the classification of a value in [lowest, highest].
@@ -30,8 +34,9 @@ TransferTable::Interval TransferTable::FindEntries(double lowest, double highest
 {
   // An entry of slack, since the shader reaches its position in single precision.
   const double slack = 1e-5 * static_cast<double>(this->Entries.size());
-  const double first = std::floor(this->GetPosition(lowest) - slack);
-  const double last = std::ceil(this->GetPosition(highest) + slack);
+  const double end = static_cast<double>(this->Entries.size() - 1);
+  const double first = std::floor(std::clamp(this->GetPosition(lowest), 0.0, end) - slack);
+  const double last = std::ceil(std::clamp(this->GetPosition(highest), 0.0, end) + slack);
   return { static_cast<std::size_t>(std::max(first, 0.0)),
     std::min(static_cast<std::size_t>(std::max(last, 0.0)) + 1, this->Entries.size()) };
 }

@@ -26,6 +26,9 @@ public:
   double GetHighest() const { return this->Highest; }
   const std::vector<Entry>& GetEntries() const { return this->Entries; }
 
+  /// Of a value, counted in entries; beyond them where it lies beyond the table.
+  double GetPosition(double value) const;
+
   /// Whether every value in [lowest, highest] has no extinction; so also where lowest > highest,
   /// and there is no value. O(1), by differences of a running count.
   bool IsTransparent(double lowest, double highest) const;
@@ -45,7 +48,6 @@ private:
     std::size_t Begin;
     std::size_t End;
   };
-  double GetPosition(double value) const;
   Interval FindEntries(double lowest, double highest) const;
 
   double Lowest = 0.0;

@@ -87,6 +87,12 @@ std::vector<BlockRank> RankBlocks(
       ApplyPlane(grid, plane, ranks);
     }
   }
+  if (region.Clipping.Slice)
+  {
+    const auto& [a, b, c, d] = *region.Clipping.Slice;
+    ApplyPlane(grid, { a, b, c, d }, ranks);
+    ApplyPlane(grid, { -a, -b, -c, -d }, ranks);
+  }
   const std::optional<CroppingRegions>& cropping = region.Clipping.Cropping;
   for (std::size_t block = 0; cropping && block < ranks.size(); ++block)
   {

@@ -38,15 +38,17 @@ struct CroppingRegions
 /// Planes (a, b, c, d) in samples: what has a x + b y + c z + d < 0 on any of them is cut off.
 using Planes = std::vector<std::array<double, 4>>;
 
-/// What is cut off a volume.
+/// What is cut off a volume, and whether only a slice of it is drawn.
 struct Clipping
 {
   flatblock::Planes Planes;
   std::optional<CroppingRegions> Cropping;
+  std::optional<std::array<double, 4>> Slice; ///< where a x + b y + c z + d = 0
 
   bool operator==(const Clipping& other) const
   {
-    return this->Planes == other.Planes && this->Cropping == other.Cropping;
+    return this->Planes == other.Planes && this->Cropping == other.Cropping &&
+           this->Slice == other.Slice;
   }
 };
 

@@ -5,6 +5,7 @@
 
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
 #include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
@@ -244,10 +245,18 @@ TEST(BadInput, CellDataAndManyComponentsAndWrongLength)
     SetGood);
 }
 
-TEST(BadInput, BlendModeThatIsNotThere)
+TEST(BadInput, BlendModeWithoutItsSettings)
 {
   ExpectOneError(
-    "composite", [](Scene& scene) { scene.Mapper->SetBlendModeToMaximumIntensity(); },
+    "vtkPlane", [](Scene& scene) { scene.Mapper->SetBlendModeToSlice(); },
+    [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); });
+  ExpectOneError(
+    "GetIsoSurfaceValues",
+    [](Scene& scene)
+    {
+      scene.Mapper->SetBlendModeToIsoSurface();
+      scene.Property->GetIsoSurfaceValues()->SetNumberOfContours(0);
+    },
     [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); });
 }
 

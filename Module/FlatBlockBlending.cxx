@@ -1,0 +1,130 @@
+#include "FlatBlockBlending.h"
+
+#include "RaySampling.h"
+#include "ViewRegion.h"
+
+#include "vtkContourValues.h"
+#include "vtkPlane.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace flatblock
+{
+namespace
+{
+// As many uniforms as every driver with OpenGL 3.2 has, with room for all others.
+constexpr int MostIsoValues = 256;
+
+std::vector<double> GetIsoValues(vtkVolumeProperty* property)
+{
+  vtkContourValues* contours = property->GetIsoSurfaceValues();
+  const int count = contours->GetNumberOfContours();
+  if (count < 1 || count > MostIsoValues)
+  {
+    throw std::runtime_error("Isosurface blending needs 1 to " + std::to_string(MostIsoValues) +
+                             " values in vtkVolumeProperty::GetIsoSurfaceValues(), which has " +
+                             std::to_string(count) + ".");
+  }
+  std::vector<double> values(contours->GetValues(), contours->GetValues() + count);
+  if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+  {
+    throw std::runtime_error("A value of vtkVolumeProperty::GetIsoSurfaceValues() is not finite.");
+  }
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+void CheckSlice(vtkVolumeProperty* property)
+{
+  vtkImplicitFunction* function = property->GetSliceFunction();
+  if (!vtkPlane::SafeDownCast(function))
+  {
+    throw std::runtime_error(
+      "Slice blending needs a vtkPlane in vtkVolumeProperty::SetSliceFunction(), not " +
+      std::string(function ? function->GetClassName() : "nothing") + ".");
+  }
+}
+
+float ToTable(const TransferTable& table, double value)
+{
+  constexpr double Most = 1e30; // so that it is a float
+  return static_cast<float>(std::clamp(table.GetPosition(value), -Most, Most));
+}
+} // namespace
+
+Blending GetBlending(vtkVolumeMapper* mapper, vtkVolumeProperty* property)
+{
+  Blending blending;
+  switch (mapper->GetBlendMode())
+  {
+  case vtkVolumeMapper::COMPOSITE_BLEND:
+    break;
+  case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+    blending.Mode = BlendMode::Maximum;
+    break;
+  case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+    blending.Mode = BlendMode::Minimum;
+    break;
+  case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
+    blending.Mode = BlendMode::Average;
+    mapper->GetAverageIPScalarRange(blending.AverageRange.data());
+    break;
+  case vtkVolumeMapper::ADDITIVE_BLEND:
+    blending.Mode = BlendMode::Additive;
+    break;
+  case vtkVolumeMapper::ISOSURFACE_BLEND:
+    blending.Mode = BlendMode::Isosurface;
+    blending.IsoValues = GetIsoValues(property);
+    break;
+  case vtkVolumeMapper::SLICE_BLEND:
+    blending.Mode = BlendMode::Slice;
+    CheckSlice(property);
+    break;
+  default:
+    throw std::runtime_error(
+      "There is no blend mode " + std::to_string(mapper->GetBlendMode()) + ".");
+  }
+  return blending;
+}
+
+void SetBlending(vtkShaderProgram* program, const RaySampling& sampling, const Clipping& clipping,
+  const TransferTable& table)
+{
+  const Blending& blending = sampling.Blending;
+  if (blending.HasSurfaces())
+  {
+    program->SetUniformf("in_EnoughOpacity", static_cast<float>(sampling.EnoughOpacity));
+  }
+  if (blending.Mode == BlendMode::Average)
+  {
+    const float range[2] = { ToTable(table, blending.AverageRange[0]),
+      ToTable(table, blending.AverageRange[1]) };
+    program->SetUniform2f("in_AverageRange", range);
+  }
+  else if (blending.Mode == BlendMode::Additive)
+  {
+    program->SetUniformf(
+      "in_OpacityUnits", static_cast<float>(sampling.UnitOfLength / sampling.UnitOfOpacity));
+  }
+  else if (blending.Mode == BlendMode::Isosurface)
+  {
+    std::vector<float> positions(blending.IsoValues.size());
+    std::transform(blending.IsoValues.begin(), blending.IsoValues.end(), positions.begin(),
+      [&table](double value) { return ToTable(table, value); });
+    program->SetUniform1fv("in_IsoValues", static_cast<int>(positions.size()), positions.data());
+  }
+  else if (clipping.Slice)
+  {
+    float plane[4];
+    std::copy(clipping.Slice->begin(), clipping.Slice->end(), plane);
+    program->SetUniform4f("in_Slice", plane);
+  }
+}
+} // namespace flatblock

@@ -1,0 +1,114 @@
+// Colours composited from front to back, piece after piece.
+
+uniform float in_EnoughOpacity; // a ray that has gathered this much ends
+
+struct Gathered
+{
+  vec4 color; // multiplied by opacity, and opacity
+#ifdef FLATBLOCK_SHADING
+  Light light;
+#endif
+};
+
+Gathered nothingGathered()
+{
+  Gathered gathered;
+  gathered.color = vec4(0.0);
+  return gathered;
+}
+
+void beginPart(inout Gathered gathered)
+{
+#ifdef FLATBLOCK_SHADING
+  gathered.light = firstLight();
+#endif
+}
+
+vec4 colorOf(Gathered gathered)
+{
+  return gathered.color;
+}
+
+bool isAtEnd(Gathered gathered, Progress progress)
+{
+  return progress.isCutOff || gathered.color.a >= in_EnoughOpacity;
+}
+
+bool canChange(Gathered gathered, Brick brick)
+{
+  return true;
+}
+
+// Where one end of a piece lies in a hole, the other one's half is drawn.
+Piece pieceWithoutHoles(Point front, Point back, float length)
+{
+#ifdef FLATBLOCK_HOLES
+  if (front.isHole && back.isHole)
+  {
+    return Piece(vec4(0.0), 0.0);
+  }
+  if (front.isHole)
+  {
+    return pieceBetween(back, back, 0.5 * length);
+  }
+  if (back.isHole)
+  {
+    return pieceBetween(front, front, 0.5 * length);
+  }
+#endif
+  return pieceBetween(front, back, length);
+}
+
+// Point after point. A piece whose error is too large is split.
+void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 origin, Brick brick,
+  Stretch stretch)
+{
+  const float LeastPart = 1.0 / 1024.0;
+  while (mustBeFound(progress, stretch))
+  {
+    findFront(progress, ray, origin);
+  }
+#ifdef FLATBLOCK_SHADING
+  vec3 view = -normalize(in_SampleToWorld * ray.direction);
+#endif
+  float target = stretch.exit;
+  while (goesOn(progress, stretch) && gathered.color.a < in_EnoughOpacity)
+  {
+    countSample(progress);
+    if (progress.isCutOff)
+    {
+      break;
+    }
+    target = min(target, min(progress.next, stretch.exit));
+    Point back = pointAt(brick, origin + target * ray.direction);
+    float advance = target - progress.at;
+    Piece piece = pieceWithoutHoles(progress.front, back, advance * ray.unit * in_StepLength);
+    // Far along a ray a part may be too small to be told from nothing: then the piece is taken as it is.
+    float nearer = progress.at + smallerPart(piece.error) * advance;
+    bool isDivisible = advance > LeastPart && nearer > progress.at && nearer < target;
+    if (piece.error > 1.0 && isDivisible)
+    {
+      target = nearer;
+    }
+    else
+    {
+#ifdef FLATBLOCK_SHADING
+      vec3 middle = origin + 0.5 * (progress.at + target) * ray.direction;
+      shade(piece.color, gathered.light, 1.0 - gathered.color.a, brick, middle, view);
+#endif
+      gathered.color = composite(gathered.color, piece.color);
+      moveTo(progress, back, target, brick);
+      target = stretch.exit;
+    }
+  }
+}
+
+// What looks all the same up to the next point, in one piece.
+void gatherMatter(inout Gathered gathered, Progress progress, float length)
+{
+  vec4 layer = layerOf(progress.front.matter, length);
+#ifdef FLATBLOCK_SHADING
+  layer.rgb = layer.rgb * gathered.light.reflected + layer.a * gathered.light.specular;
+#endif
+  gathered.color = composite(gathered.color, layer);
+}

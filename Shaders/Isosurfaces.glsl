@@ -1,0 +1,99 @@
+// Surfaces where the volume has one of some values.
+
+uniform float in_EnoughOpacity;                      // a ray that has gathered this much ends
+uniform float in_IsoValues[FLATBLOCK_ISOSURFACES]; // as positions in the table, rising
+
+struct Gathered
+{
+  vec4 color; // multiplied by opacity, and opacity
+};
+
+Gathered nothingGathered()
+{
+  return Gathered(vec4(0.0));
+}
+
+void beginPart(inout Gathered gathered) {}
+
+void gatherMatter(inout Gathered gathered, Progress progress, float length) {}
+
+vec4 colorOf(Gathered gathered)
+{
+  return gathered.color;
+}
+
+bool isAtEnd(Gathered gathered, Progress progress)
+{
+  return progress.isCutOff || gathered.color.a >= in_EnoughOpacity;
+}
+
+bool canChange(Gathered gathered, Brick brick)
+{
+  return true;
+}
+
+// Distance to the crossing of a value in a piece: bisected, and linear in what is left.
+float findCrossing(Ray ray, vec3 origin, Brick brick, float isoValue, vec2 ends, vec2 values)
+{
+  const int Bisections = 6;
+  for (int i = 0; i < Bisections; ++i)
+  {
+    float middle = 0.5 * (ends.x + ends.y);
+    float value = pointAt(brick, origin + middle * ray.direction).value;
+    bool isBehind = (value < isoValue) == (values.x < isoValue);
+    ends = isBehind ? vec2(middle, ends.y) : vec2(ends.x, middle);
+    values = isBehind ? vec2(value, values.y) : vec2(values.x, value);
+  }
+  return mix(ends.x, ends.y, clamp((isoValue - values.x) / (values.y - values.x), 0.0, 1.0));
+}
+
+vec4 surfaceAt(Ray ray, vec3 origin, Brick brick, float isoValue, float at)
+{
+  vec4 color = surfaceOf(isoValue);
+#ifdef FLATBLOCK_SHADING
+  vec3 view = -normalize(in_SampleToWorld * ray.direction);
+  Light light = lightOn(gradientAt(brick, origin + at * ray.direction), view);
+  color.rgb = color.rgb * light.reflected + color.a * light.specular;
+#endif
+  return color;
+}
+
+// All that are crossed between the front and a point, in the order in which the ray meets them.
+void cross(inout Gathered gathered, Progress progress, Ray ray, vec3 origin, Brick brick,
+  Point back, float target)
+{
+  vec2 ends = vec2(progress.at, target);
+  vec2 values = vec2(progress.front.value, back.value);
+  for (int i = 0; i < FLATBLOCK_ISOSURFACES; ++i)
+  {
+    float isoValue = in_IsoValues[values.x < values.y ? i : FLATBLOCK_ISOSURFACES - 1 - i];
+    bool isCrossed = (values.x < isoValue) != (values.y < isoValue);
+    while (isCrossed)
+    {
+      float at = findCrossing(ray, origin, brick, isoValue, ends, values);
+      vec4 surface = surfaceAt(ray, origin, brick, isoValue, at);
+      gathered.color = composite(gathered.color, surface);
+      isCrossed = false;
+    }
+  }
+}
+
+void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 origin, Brick brick,
+  Stretch stretch)
+{
+  while (mustBeFound(progress, stretch))
+  {
+    findFront(progress, ray, origin);
+  }
+  while (goesOn(progress, stretch) && gathered.color.a < in_EnoughOpacity)
+  {
+    float target = min(progress.next, stretch.exit);
+    Point back = pointAt(brick, origin + target * ray.direction);
+    if (hasValue(progress.front) && hasValue(back))
+    {
+      cross(gathered, progress, ray, origin, brick, back, target);
+    }
+    moveTo(progress, back, target, brick);
+    countSample(progress);
+  }
+}

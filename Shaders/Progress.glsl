@@ -1,0 +1,96 @@
+// How far a ray has come, whatever it gathers on its way.
+
+uniform float in_StepLength; // in the smallest spacing
+#ifdef FLATBLOCK_SAMPLE_LIMIT
+uniform int in_MaximumNumberOfSamples;
+#endif
+
+struct Progress
+{
+  Point front; // where the ray has been gathered up to
+  float at;    // its distance
+  float next;  // distance of the next point of the lattice
+  bool isLost; // what is at the front, in the brick, is not known: the ray leapt
+  Brick brick;
+#ifdef FLATBLOCK_COUNTING
+  int samples;
+#endif
+  bool isCutOff; // there were too many
+};
+
+Progress noProgress()
+{
+  Progress progress;
+#ifdef FLATBLOCK_COUNTING
+  progress.samples = 0;
+#endif
+  progress.isCutOff = false;
+  return progress;
+}
+
+void countSample(inout Progress progress)
+{
+#ifdef FLATBLOCK_COUNTING
+  ++progress.samples;
+#endif
+#ifdef FLATBLOCK_SAMPLE_LIMIT
+  progress.isCutOff = progress.samples > in_MaximumNumberOfSamples;
+#endif
+}
+
+// A part of a ray within one brick.
+struct Stretch
+{
+  float entry;
+  float exit;
+  bool isVaried; // else only the piece that began before it is gathered,
+  bool isMatter; // and that only where something is seen
+  bool isToEnd;  // up to the exit, else to the last point before
+};
+
+bool hasPoint(Progress progress, Stretch stretch)
+{
+  return progress.next < stretch.exit || (stretch.isToEnd && progress.at < stretch.exit);
+}
+
+bool mustBeFound(Progress progress, Stretch stretch)
+{
+  return progress.isLost && (stretch.isVaried || stretch.isMatter);
+}
+
+bool goesOn(Progress progress, Stretch stretch)
+{
+  return !progress.isCutOff && !progress.isLost && hasPoint(progress, stretch) &&
+    (stretch.isVaried || progress.at < stretch.entry);
+}
+
+void findFront(inout Progress progress, Ray ray, vec3 origin)
+{
+  progress.front = pointAt(progress.brick, origin + progress.at * ray.direction);
+  progress.isLost = false;
+  countSample(progress);
+}
+
+void moveTo(inout Progress progress, Point point, float at, Brick brick)
+{
+  progress.front = point;
+  progress.at = at;
+  float following = (floor(progress.next / brick.step) + 1.0) * brick.step;
+  progress.next = at >= progress.next ? following : progress.next;
+}
+
+// To the last point of what looks all the same.
+bool canLeap(Progress progress, Brick brick, Stretch stretch, out float last)
+{
+  last = max(progress.next, (ceil(stretch.exit / brick.step) - 1.0) * brick.step);
+  last = stretch.isToEnd ? stretch.exit : last;
+  return !stretch.isVaried && hasPoint(progress, stretch) && last > progress.at;
+}
+
+void leapTo(inout Progress progress, float at, Brick brick)
+{
+  progress.at = at;
+  progress.next = at + brick.step; // the lattice has one, or the ray ends here
+  progress.isLost = true;
+  progress.brick = brick;
+}

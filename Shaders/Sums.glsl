@@ -1,0 +1,79 @@
+// Values along a ray, weighted by their opacity: their mean, or their integral.
+
+#ifdef FLATBLOCK_AVERAGE
+uniform vec2 in_AverageRange; // what lies beyond does not count
+#else
+uniform float in_OpacityUnits; // lengths that opacity is meant over, in a smallest spacing
+#endif
+
+struct Gathered
+{
+  float sum;
+  float length; // that it was taken over
+};
+
+Gathered nothingGathered()
+{
+  return Gathered(0.0, 0.0);
+}
+
+void beginPart(inout Gathered gathered) {}
+
+void gatherMatter(inout Gathered gathered, Progress progress, float length) {}
+
+vec4 colorOf(Gathered gathered)
+{
+#ifdef FLATBLOCK_AVERAGE
+  float gray = gathered.sum / max(gathered.length, 1e-30);
+  return gathered.length > 0.0 ? vec4(vec3(clamp(gray, 0.0, 1.0)), 1.0) : vec4(0.0);
+#else
+  return vec4(vec3(clamp(gathered.sum * in_OpacityUnits, 0.0, 1.0)), 1.0);
+#endif
+}
+
+bool isAtEnd(Gathered gathered, Progress progress)
+{
+  return progress.isCutOff;
+}
+
+bool canChange(Gathered gathered, Brick brick)
+{
+  return true;
+}
+
+bool counts(Point point)
+{
+#ifdef FLATBLOCK_AVERAGE
+  return hasValue(point) && point.value >= in_AverageRange.x && point.value <= in_AverageRange.y;
+#else
+  return hasValue(point);
+#endif
+}
+
+// A point stands for half of the pieces that meet in it.
+void add(inout Gathered gathered, Point point, float length)
+{
+  if (counts(point))
+  {
+    gathered.sum += length * surfaceOf(point.value).a * point.value / in_LastEntry;
+    gathered.length += length;
+  }
+}
+
+void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 origin, Brick brick,
+  Stretch stretch)
+{
+  while (mustBeFound(progress, stretch))
+  {
+    findFront(progress, ray, origin);
+  }
+  while (goesOn(progress, stretch))
+  {
+    float target = min(progress.next, stretch.exit);
+    float length = 0.5 * (target - progress.at) * ray.unit * in_StepLength;
+    add(gathered, progress.front, length);
+    moveTo(progress, pointAt(brick, origin + target * ray.direction), target, brick);
+    add(gathered, progress.front, length);
+    countSample(progress);
+  }
+}
