@@ -1,8 +1,10 @@
 #include "FlatBlockVolumeInput.h"
 
 #include "vtkAbstractMapper.h"
-#include "vtkAbstractVolumeMapper.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFlatBlockDataMapper.h"
+#include "vtkFlatBlockScalars.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
@@ -25,7 +27,7 @@ template <typename... Parts>
   throw std::runtime_error(message.str());
 }
 
-vtkImageData* GetImage(vtkAbstractVolumeMapper& mapper)
+vtkImageData* GetImage(vtkFlatBlockDataMapper& mapper)
 {
   if (mapper.GetNumberOfInputConnections(0) == 0)
   {
@@ -63,10 +65,9 @@ void CheckGeometry(vtkImageData* image)
   }
 }
 
-std::string ListArrays(vtkImageData* image)
+std::string ListArrays(vtkDataSetAttributes* arrays)
 {
   std::string names;
-  vtkPointData* arrays = image->GetPointData();
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
     const char* name = arrays->GetArrayName(i);
@@ -75,34 +76,51 @@ std::string ListArrays(vtkImageData* image)
   return names.empty() ? "none" : names;
 }
 
-vtkDataArray* GetScalars(vtkAbstractVolumeMapper& mapper, vtkImageData* image)
+void SetScalars(vtkFlatBlockDataMapper& mapper, VolumeInput& input)
 {
   int isCellData = 0;
-  vtkDataArray* scalars = vtkAbstractMapper::GetScalars(image, mapper.GetScalarMode(),
+  input.Scalars = vtkAbstractMapper::GetScalars(input.Image, mapper.GetScalarMode(),
     mapper.GetArrayAccessMode(), mapper.GetArrayId(), mapper.GetArrayName(), isCellData);
-  if (!scalars)
+  if (!input.Scalars)
   {
     const char* name = mapper.GetArrayName();
-    Refuse("The input's point data has no ",
+    Refuse("The input has no ",
       name && *name ? "array named '" + std::string(name) + "'" : std::string("scalars"),
-      "; its arrays: ", ListArrays(image), ".");
+      " where ScalarMode looks for it; its point data has: ",
+      ListArrays(input.Image->GetPointData()),
+      "; its cell data: ", ListArrays(input.Image->GetCellData()), ".");
   }
-  if (isCellData != 0)
+  input.IsCellData = isCellData != 0;
+  const vtkIdType wanted =
+    input.IsCellData ? input.Image->GetNumberOfCells() : input.Image->GetNumberOfPoints();
+  if (input.Scalars->GetNumberOfTuples() != wanted)
   {
-    Refuse("Cell data is selected, but point data is needed. vtkCellDataToPointData makes it.");
+    const char* name = input.Scalars->GetName() ? input.Scalars->GetName() : "";
+    Refuse("The array '", name, "' has ", input.Scalars->GetNumberOfTuples(),
+      " values, but the input has ", wanted, input.IsCellData ? " cells." : " points.");
   }
-  const char* name = scalars->GetName() ? scalars->GetName() : "";
-  if (scalars->GetNumberOfComponents() != 1)
+}
+
+void SetComponent(vtkFlatBlockDataMapper& mapper, VolumeInput& input)
+{
+  const char* name = input.Scalars->GetName() ? input.Scalars->GetName() : "";
+  const int components = input.Scalars->GetNumberOfComponents();
+  if (mapper.GetVectorMode() == vtkFlatBlockDataMapper::DISABLED && components != 1)
   {
-    Refuse("The array '", name, "' has ", scalars->GetNumberOfComponents(),
-      " components, but one is needed. vtkImageExtractComponents takes one out.");
+    Refuse("The array '", name, "' has ", components,
+      " components, but one is needed. SetVectorMode() takes one of them, or their magnitude.");
   }
-  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  if (mapper.GetVectorMode() == vtkFlatBlockDataMapper::COMPONENT &&
+      mapper.GetVectorComponent() >= components)
   {
-    Refuse("The array '", name, "' has ", scalars->GetNumberOfTuples(),
-      " values, but the input has ", image->GetNumberOfPoints(), " points.");
+    Refuse("The array '", name, "' has ", components, " components; VectorComponent is ",
+      mapper.GetVectorComponent(), ".");
   }
-  return scalars;
+  const bool isNorm = mapper.GetVectorMode() == vtkFlatBlockDataMapper::MAGNITUDE && components > 1;
+  input.Component = isNorm ? vtkFlatBlockScalars::Magnitude
+                    : mapper.GetVectorMode() == vtkFlatBlockDataMapper::COMPONENT
+                      ? mapper.GetVectorComponent()
+                      : 0;
 }
 
 void SetGeometry(VolumeInput& input)
@@ -111,8 +129,8 @@ void SetGeometry(VolumeInput& input)
   const double* spacing = input.Image->GetSpacing();
   input.SampleToDataSet = vtkSmartPointer<vtkMatrix4x4>::New();
   input.SampleToDataSet->DeepCopy(input.Image->GetIndexToPhysicalMatrix());
-  const double first[4] = { static_cast<double>(extent[0]), static_cast<double>(extent[2]),
-    static_cast<double>(extent[4]), 1.0 };
+  const double shift = input.IsCellData ? -0.5 : 0.0;
+  const double first[4] = { extent[0] + shift, extent[2] + shift, extent[4] + shift, 1.0 };
   double origin[4];
   input.SampleToDataSet->MultiplyPoint(first, origin);
   double sides[3];
@@ -127,12 +145,13 @@ void SetGeometry(VolumeInput& input)
 }
 } // namespace
 
-VolumeInput GetVolumeInput(vtkAbstractVolumeMapper& mapper)
+VolumeInput GetVolumeInput(vtkFlatBlockDataMapper& mapper)
 {
   VolumeInput input;
   input.Image = GetImage(mapper);
   CheckGeometry(input.Image);
-  input.Scalars = GetScalars(mapper, input.Image);
+  SetScalars(mapper, input);
+  SetComponent(mapper, input);
   SetGeometry(input);
   return input;
 }

@@ -3,7 +3,7 @@
 
 #include "vtkSmartPointer.h"
 
-class vtkAbstractVolumeMapper;
+class vtkFlatBlockDataMapper;
 class vtkDataArray;
 class vtkImageData;
 class vtkMatrix4x4;
@@ -14,12 +14,14 @@ struct VolumeInput
 {
   vtkImageData* Image = nullptr;
   vtkDataArray* Scalars = nullptr;
-  vtkSmartPointer<vtkMatrix4x4> SampleToDataSet; ///< sample (0,0,0) is the extent's first
+  bool IsCellData = false; ///< samples are the cells, with one more around on each side
+  int Component = 0;       ///< of the array, as vtkFlatBlockScalars takes it
+  vtkSmartPointer<vtkMatrix4x4> SampleToDataSet; ///< indices start at (0, 0, 0)
   double SmallestSpacing = 0.0;
   double Diagonal = 0.0; ///< of the box of samples, in the data set's unit of length
 };
 
 /// The mapper's image and the array that its scalar mode selects.
 /// @throws std::runtime_error with a message for the user where there is no such volume
-VolumeInput GetVolumeInput(vtkAbstractVolumeMapper& mapper);
+VolumeInput GetVolumeInput(vtkFlatBlockDataMapper& mapper);
 } // namespace flatblock

@@ -3,6 +3,7 @@
 #include "FlatBlockVolumeInput.h"
 
 #include "vtkCamera.h"
+#include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
@@ -63,6 +64,21 @@ Planes GetClippingPlanes(vtkVolumeMapper* mapper, vtkMatrix4x4* sampleToWorld)
     inSamples.push_back(PlaneToSamples(planes->GetItem(i), sampleToWorld));
   }
   return inSamples;
+}
+
+// Half of the values around a volume of cells lie beyond it.
+void AddFacesOfCells(vtkImageData* image, Planes& planes)
+{
+  const int* points = image->GetDimensions();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::array<double, 4> plane = { 0.0, 0.0, 0.0, -0.5 };
+    plane[axis] = 1.0;
+    planes.push_back(plane);
+    plane[axis] = -1.0;
+    plane[3] = points[axis] - 0.5;
+    planes.push_back(plane);
+  }
 }
 
 std::array<double, 3> GetSpacing(vtkMatrix4x4* matrix)
@@ -126,6 +142,10 @@ Clipping GetClipping(vtkVolume* volume, vtkVolumeMapper* mapper, const VolumeInp
   vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), input.SampleToDataSet, sampleToWorld);
   Clipping clipping;
   clipping.Planes = GetClippingPlanes(mapper, sampleToWorld);
+  if (input.IsCellData)
+  {
+    AddFacesOfCells(input.Image, clipping.Planes);
+  }
   if (mapper->GetCropping())
   {
     clipping.Cropping = GetCropping(mapper, input.SampleToDataSet);

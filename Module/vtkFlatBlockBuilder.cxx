@@ -6,11 +6,9 @@
 #include "BrickCopy.h"
 #include "BrickFilter.h"
 
-#include "vtkBitArray.h"
 #include "vtkDataArray.h"
-#include "vtkImageData.h"
+#include "vtkFlatBlockScalars.h"
 #include "vtkObjectFactory.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,24 +140,11 @@ vtkTypeInt64 CountNonFinite([[maybe_unused]] const T* samples, [[maybe_unused]] 
   }
   return found;
 }
-
-// Bits are packed eight to a byte, which neither kernels nor textures can read.
-vtkSmartPointer<vtkDataArray> UnpackBits(vtkDataArray* scalars)
-{
-  if (!vtkBitArray::SafeDownCast(scalars))
-  {
-    return scalars;
-  }
-  auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  bytes->DeepCopy(scalars);
-  return bytes;
-}
 } // namespace
 
-bool vtkFlatBlockBuilder::Update(
-  vtkImageData* image, vtkDataArray* scalars, int blockSize, const Bricks& bricks)
+bool vtkFlatBlockBuilder::Update(vtkFlatBlockScalars* scalars, int blockSize, const Bricks& bricks)
 {
-  const bool areNewBlocks = !this->AreBlocksCurrent(image, scalars->GetVoidPointer(0), blockSize);
+  const bool areNewBlocks = !this->AreBlocksCurrent(scalars, blockSize);
   if (!areNewBlocks && this->BuiltBricks == bricks)
   {
     return false;
@@ -168,7 +153,7 @@ bool vtkFlatBlockBuilder::Update(
   this->Source.reset();
   if (areNewBlocks)
   {
-    this->BuildBlocks(image, scalars, blockSize);
+    this->BuildBlocks(scalars, blockSize);
   }
   this->BuiltBricks = bricks;
   switch (this->Scalars->GetDataType())
@@ -183,28 +168,25 @@ bool vtkFlatBlockBuilder::Update(
   return true;
 }
 
-bool vtkFlatBlockBuilder::AreBlocksCurrent(
-  vtkImageData* image, const void* samples, int blockSize) const
+bool vtkFlatBlockBuilder::AreBlocksCurrent(vtkFlatBlockScalars* scalars, int blockSize) const
 {
-  return this->Source && this->BuiltSamples == samples &&
-         this->BuiltImageTime == image->GetMTime() && this->BuiltBlockSize == blockSize;
+  return this->Source && this->BuiltScalars == scalars && this->BuiltTime == scalars->GetMTime() &&
+         this->BuiltBlockSize == blockSize;
 }
 
-void vtkFlatBlockBuilder::BuildBlocks(vtkImageData* image, vtkDataArray* scalars, int blockSize)
+void vtkFlatBlockBuilder::BuildBlocks(vtkFlatBlockScalars* scalars, int blockSize)
 {
-  flatblock::Index3 samples;
-  image->GetDimensions(samples.data());
-  this->Grid = flatblock::BlockGrid(samples, blockSize);
+  this->Grid = flatblock::BlockGrid(scalars->GetSamples(), blockSize);
   this->CellsPerRange = 0;
   this->Cuda.Release();
-  this->Scalars = UnpackBits(scalars);
+  this->Scalars = scalars->GetValues();
   switch (this->Scalars->GetDataType())
   {
     vtkTemplateMacro(
       this->BuildRanges(static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0))));
   }
-  this->BuiltSamples = scalars->GetVoidPointer(0);
-  this->BuiltImageTime = image->GetMTime();
+  this->BuiltScalars = scalars;
+  this->BuiltTime = scalars->GetMTime();
   this->BuiltBlockSize = blockSize;
   this->Modified();
 }

@@ -1,6 +1,6 @@
 /**
  * @class   vtkFlatBlockBuilder
- * @brief   turns vtkImageData into blocks, their value ranges and a source of bricks
+ * @brief   turns a volume's samples into blocks, their value ranges and a source of bricks
  *
  * Holds a reference to the samples, not a copy. Does nothing when its inputs have not changed.
  */
@@ -20,7 +20,7 @@
 #include <vector>
 
 class vtkDataArray;
-class vtkImageData;
+class vtkFlatBlockScalars;
 
 class vtkFlatBlockBuilder : public vtkObject
 {
@@ -49,7 +49,7 @@ public:
    * same blocks leave the time of modification.
    * @return whether anything was built anew
    */
-  bool Update(vtkImageData* image, vtkDataArray* scalars, int blockSize, const Bricks& bricks);
+  bool Update(vtkFlatBlockScalars* scalars, int blockSize, const Bricks& bricks);
 
   /**
    * Valid after Update(), until the image's samples change.
@@ -108,8 +108,8 @@ private:
   std::string ComputeDistortionOf(const T* samples, const std::vector<std::int64_t>& blocks,
     int levels, const flatblock::ClassifiedTable& table, int threads, bool useCuda,
     float* distortion, flatblock::BlockSummary* summaries);
-  bool AreBlocksCurrent(vtkImageData* image, const void* samples, int blockSize) const;
-  void BuildBlocks(vtkImageData* image, vtkDataArray* scalars, int blockSize);
+  bool AreBlocksCurrent(vtkFlatBlockScalars* scalars, int blockSize) const;
+  void BuildBlocks(vtkFlatBlockScalars* scalars, int blockSize);
 
   template <typename T>
   void BuildRanges(const T* samples);
@@ -134,8 +134,8 @@ private:
   vtkTypeInt64 NonFiniteSamples = 0;
   flatblock::CudaDistortion Cuda;
 
-  const void* BuiltSamples = nullptr; // only compared with
-  vtkMTimeType BuiltImageTime = 0;
+  const vtkFlatBlockScalars* BuiltScalars = nullptr; // only compared with
+  vtkMTimeType BuiltTime = 0;
   int BuiltBlockSize = 0;
   Bricks BuiltBricks;
 };

@@ -12,13 +12,12 @@
 #ifndef vtkFlatBlockRayCastMapper_h
 #define vtkFlatBlockRayCastMapper_h
 
-#include "vtkFlatBlockVolumeRenderingModule.h" // for the export macro
-#include "vtkVolumeMapper.h"
+#include "vtkFlatBlockDataMapper.h"
 
-class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockRayCastMapper : public vtkVolumeMapper
+class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockRayCastMapper : public vtkFlatBlockDataMapper
 {
 public:
-  vtkTypeMacro(vtkFlatBlockRayCastMapper, vtkVolumeMapper);
+  vtkTypeMacro(vtkFlatBlockRayCastMapper, vtkFlatBlockDataMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Classifications

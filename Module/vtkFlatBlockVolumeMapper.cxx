@@ -142,7 +142,7 @@ void vtkFlatBlockVolumeMapper::WarnAboutIgnoredSettings(vtkVolume* volume)
   check(
     property->HasGradientOpacity() && !property->GetDisableGradientOpacity(), "gradient opacity");
   check(property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D, "2D transfer functions");
-  check(this->Internals->Input.Image->HasAnyBlankPoints(), "blanked points");
+  check(this->Internals->Scalars->HasIgnoredBlanks(), "blanked cells of point data");
   if (!ignored.empty() && ignored != this->Internals->LastWarning)
   {
     vtkWarningMacro(<< "Not supported and ignored: " << ignored << ".");

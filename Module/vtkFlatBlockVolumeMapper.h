@@ -11,21 +11,16 @@
  * 2^l along each axis. Blocks near the point of interest are refined first, those out of view last.
  * A still picture depends on what is set, to the last bit, and not on what was drawn before.
  *
- * Input: vtkImageData, point data, one component, two or more samples along each axis. Integers of
- * 8 and 16 bit are kept as they are. All other types become 32-bit floats over the data's own
- * range: a value is off by at most 2^-24 of that range. Cells that have a NaN or an infinite value
- * at a corner are not drawn, all others are unharmed; a warning counts such values once.
- *
  * From vtkVolumeProperty: colour, scalar opacity, ScalarOpacityUnitDistance, interpolation (linear
- * or nearest) of the first component. Shading by the lights of the
- * renderer with the property's material. All blend modes of vtkVolumeMapper: maximum and minimum
- * show the colour and the opacity that the functions give to that value; an average is that of
- * values times their opacity, over the parts of a ray within AverageIPScalarRange; the additive sum
- * is the same over ScalarOpacityUnitDistance, both for values from 0 to 1 over the data's range and
- * drawn as grays. Isosurfaces, those of the property's GetIsoSurfaceValues(), have the colour and
- * the opacity of their value. The slice is that of a vtkPlane in world coordinates, in the
- * property's SetSliceFunction(). Clipping planes and cropping cut rays where they lie. Gradient opacity, 2D transfer functions and blanked points are not supported
- * yet; a warning says so where they are set. Hardware selection passes through the volume.
+ * or nearest). Shading by the lights of the renderer with the property's material. All blend modes
+ * of vtkVolumeMapper: maximum and minimum show the colour and the opacity that the functions give
+ * to that value; an average is that of values times their opacity, over the parts of a ray within
+ * AverageIPScalarRange; the additive sum is the same over ScalarOpacityUnitDistance, both for
+ * values from 0 to 1 over the data's range and drawn as grays. Isosurfaces, those of the property's
+ * GetIsoSurfaceValues(), have the colour and the opacity of their value. The slice is that of a
+ * vtkPlane in world coordinates, in the property's SetSliceFunction(). Clipping planes and cropping
+ * cut rays where they lie. Gradient opacity and 2D transfer functions are not supported yet; a
+ * warning says so where they are set. Hardware selection passes through the volume.
  *
  * What cannot be drawn gives one error, and nothing is drawn until it is set right.
  *

@@ -36,9 +36,9 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   in.Property = volume->GetProperty();
   in.Input = flatblock::GetVolumeInput(*this);
   this->AdjustSampling(renderer, volume);
-  this->WarnAboutIgnoredSettings(volume);
   in.Statistics = flatblock::FrameStatistics{ 0, 0, in.Statistics.FramesSinceChange + 1 };
   this->UpdateBlocks();
+  this->WarnAboutIgnoredSettings(volume);
   this->WarnAboutSamples();
   this->UpdateTransferTable(volume);
   in.ChooseCubes(this->Skipping, this->MaxMemoryInBytes);
@@ -118,12 +118,13 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
 {
   vtkInternals& in = *this->Internals;
   flatblock::StageTimer timer(in.Statistics.RangeMilliseconds);
+  in.Scalars->Update(in.Input, in.Input.Component);
   vtkFlatBlockBuilder::Bricks bricks;
   bricks.Filter =
     this->LevelFilter == TENT ? flatblock::LevelFilter::Tent : flatblock::LevelFilter::Subsample;
   bricks.Bits = this->AtlasPrecision;
   bricks.Apron = in.Sampling.GetApron();
-  if (in.Builder->Update(in.Input.Image, in.Input.Scalars, this->BlockSize, bricks))
+  if (in.Builder->Update(in.Scalars, this->BlockSize, bricks))
   {
     in.Residency.Clear();
     in.LastAtlasBytes = 0;

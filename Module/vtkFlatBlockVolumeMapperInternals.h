@@ -8,6 +8,7 @@
 #include "vtkFlatBlockBuilder.h"
 #include "vtkFlatBlockDistortion.h"
 #include "vtkFlatBlockLevels.h"
+#include "vtkFlatBlockScalars.h"
 #include "vtkFlatBlockSkipMap.h"
 #include "vtkFlatBlockTransferFunction.h"
 #include "vtkFlatBlockVolumeMapper.h"
@@ -91,6 +92,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   flatblock::FramePlan PlanFrame(const flatblock::RefinementBudget* budget, bool continuity);
 
   flatblock::MemoryCounter Memory; // outlives those who count in it
+  vtkNew<vtkFlatBlockScalars> Scalars;
   vtkNew<vtkFlatBlockBuilder> Builder;
   vtkNew<vtkFlatBlockTransferFunction> TransferFunction;
   std::vector<std::uint8_t> VisibleBlocks;

@@ -133,7 +133,8 @@ void vtkFlatBlockVolumeMapper::WarnAboutSamples()
       " The sample distance is longer than the volume: rays take a sample where they enter "
       "it and one where they leave.";
   }
-  const vtkTypeInt64 holes = in.Builder->GetNumberOfNonFiniteSamples();
+  const vtkTypeInt64 holes =
+    in.Builder->GetNumberOfNonFiniteSamples() - in.Scalars->GetNumberOfBlanked();
   if (holes > 0)
   {
     warning +=

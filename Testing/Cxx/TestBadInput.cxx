@@ -209,13 +209,13 @@ TEST(BadInput, ArrayThatDoesNotExist)
 TEST(BadInput, CellDataAndManyComponentsAndWrongLength)
 {
   ExpectOneError(
-    "Cell data",
+    "19 values",
     [](Scene& scene)
     {
       const auto image = Good();
       vtkNew<vtkIntArray> cells;
       cells->SetName("cells");
-      cells->SetNumberOfTuples(image->GetNumberOfCells());
+      cells->SetNumberOfTuples(19);
       image->GetCellData()->SetScalars(cells);
       SetInput(scene, image);
       scene.Mapper->SetScalarModeToUseCellData();

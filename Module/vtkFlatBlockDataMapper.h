@@ -1,0 +1,62 @@
+/**
+ * @class   vtkFlatBlockDataMapper
+ * @brief   abstract superclass of a volume mapper: what of its input is drawn
+ *
+ * Input: vtkImageData with two or more samples along each axis. Which array of it is drawn,
+ * vtkAbstractMapper says: ScalarMode, SelectScalarArray(), ArrayAccessMode. Values of cells are
+ * those in the cells' middle, linear in between, and the same up to the volume's faces; they are
+ * copied, as are chosen components.
+ *
+ * Integers of 8 and 16 bit are kept as they are. All other types become 32-bit floats over the
+ * data's own range: a value is off by at most 2^-24 of that range. Cells that have a NaN or an
+ * infinite value at a corner, or a point that is blanked (vtkDataSetAttributes::HIDDENPOINT), are
+ * not drawn, all others are unharmed; a warning counts such values once. Of cell data a blanked
+ * cell counts as such a value.
+ *
+ * @sa vtkFlatBlockVolumeMapper
+ */
+
+#ifndef vtkFlatBlockDataMapper_h
+#define vtkFlatBlockDataMapper_h
+
+#include "vtkFlatBlockVolumeRenderingModule.h" // for the export macro
+#include "vtkVolumeMapper.h"
+
+class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockDataMapper : public vtkVolumeMapper
+{
+public:
+  vtkTypeMacro(vtkFlatBlockDataMapper, vtkVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum VectorModes
+  {
+    DISABLED = -1,
+    MAGNITUDE = 0,
+    COMPONENT = 1
+  };
+
+  ///@{
+  /**
+   * What is drawn of an array of several components, as with vtkSmartVolumeMapper: Disabled
+   * (default): all of them. Magnitude: their norm. Component: the one that VectorComponent says, 0
+   * (default) to 8; an error where the array has fewer.
+   */
+  vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
+  vtkGetMacro(VectorMode, int);
+  vtkSetClampMacro(VectorComponent, int, 0, 8);
+  vtkGetMacro(VectorComponent, int);
+  ///@}
+
+protected:
+  vtkFlatBlockDataMapper();
+  ~vtkFlatBlockDataMapper() override;
+
+  int VectorMode = DISABLED;
+  int VectorComponent = 0;
+
+private:
+  vtkFlatBlockDataMapper(const vtkFlatBlockDataMapper&) = delete;
+  void operator=(const vtkFlatBlockDataMapper&) = delete;
+};
+
+#endif

@@ -1,0 +1,165 @@
+#include "vtkFlatBlockScalars.h"
+
+#include "FlatBlockVolumeInput.h"
+
+#include "vtkBitArray.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkObjectFactory.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+vtkStandardNewMacro(vtkFlatBlockScalars);
+
+vtkFlatBlockScalars::vtkFlatBlockScalars() = default;
+vtkFlatBlockScalars::~vtkFlatBlockScalars() = default;
+
+namespace
+{
+using Array = vtkSmartPointer<vtkDataArray>;
+
+// Bits are packed eight to a byte, which neither kernels nor textures can read.
+Array UnpackBits(const Array& values)
+{
+  if (!vtkBitArray::SafeDownCast(values))
+  {
+    return values;
+  }
+  auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  bytes->DeepCopy(values);
+  return bytes;
+}
+
+// Integers of up to 24 bits are exact in the smaller one.
+Array MakeReals(int type)
+{
+  const bool isSmall = type == VTK_CHAR || type == VTK_SIGNED_CHAR || type == VTK_UNSIGNED_CHAR ||
+                       type == VTK_SHORT || type == VTK_UNSIGNED_SHORT || type == VTK_FLOAT;
+  return isSmall ? Array(vtkSmartPointer<vtkFloatArray>::New())
+                 : Array(vtkSmartPointer<vtkDoubleArray>::New());
+}
+
+Array TakeMagnitude(const Array& vectors)
+{
+  Array norms = MakeReals(vectors->GetDataType());
+  norms->SetNumberOfTuples(vectors->GetNumberOfTuples());
+  std::vector<double> vector(vectors->GetNumberOfComponents());
+  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+  {
+    vectors->GetTuple(i, vector.data());
+    double sum = 0.0;
+    for (const double value : vector)
+    {
+      sum += value * value;
+    }
+    norms->SetComponent(i, 0, std::sqrt(sum));
+  }
+  return norms;
+}
+
+Array TakeComponent(const Array& values, int component)
+{
+  if (component == vtkFlatBlockScalars::Magnitude)
+  {
+    return TakeMagnitude(values);
+  }
+  if (values->GetNumberOfComponents() == 1)
+  {
+    return values;
+  }
+  Array one = Array::Take(values->NewInstance());
+  one->SetNumberOfTuples(values->GetNumberOfTuples());
+  one->CopyComponent(0, values, component);
+  return one;
+}
+
+Array Blank(const Array& values, vtkUnsignedCharArray* ghosts, int hidden, vtkTypeInt64& count)
+{
+  Array blanked = MakeReals(values->GetDataType());
+  blanked->DeepCopy(values);
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    if ((ghosts->GetValue(i) & hidden) != 0)
+    {
+      blanked->SetComponent(i, 0, std::numeric_limits<double>::quiet_NaN());
+      ++count;
+    }
+  }
+  return blanked;
+}
+
+// One more on each side, the same as the outermost.
+Array Surround(const Array& values, const flatblock::Index3& cells)
+{
+  Array padded = Array::Take(values->NewInstance());
+  padded->SetNumberOfTuples(static_cast<vtkIdType>(cells[0] + 2) * (cells[1] + 2) * (cells[2] + 2));
+  vtkIdType to = 0;
+  for (int z = -1; z <= cells[2]; ++z)
+  {
+    for (int y = -1; y <= cells[1]; ++y)
+    {
+      const vtkIdType row = (static_cast<vtkIdType>(std::clamp(z, 0, cells[2] - 1)) * cells[1] +
+                              std::clamp(y, 0, cells[1] - 1)) *
+                            cells[0];
+      padded->InsertTuples(to, 1, row, values);
+      padded->InsertTuples(to + 1, cells[0], row, values);
+      padded->InsertTuples(to + 1 + cells[0], 1, row + cells[0] - 1, values);
+      to += cells[0] + 2;
+    }
+  }
+  return padded;
+}
+} // namespace
+
+void vtkFlatBlockScalars::Update(const flatblock::VolumeInput& input, int component)
+{
+  const void* samples = input.Scalars->GetVoidPointer(0);
+  const vtkMTimeType imageTime = input.Image->GetMTime();
+  if (this->Values && this->BuiltSamples == samples && this->BuiltImageTime == imageTime &&
+      this->BuiltComponent == component)
+  {
+    return;
+  }
+  this->Blanked = 0;
+  Array values = TakeComponent(UnpackBits(input.Scalars), component);
+  vtkImageData* image = input.Image;
+  image->GetDimensions(this->Samples.data());
+  const bool hidesPoints = image->HasAnyBlankPoints();
+  const bool hidesCells = !hidesPoints && image->HasAnyBlankCells();
+  this->IgnoredBlanks = !input.IsCellData && hidesCells;
+  Array ghosts = input.IsCellData ? image->GetCellGhostArray() : image->GetPointGhostArray();
+  if (input.IsCellData)
+  {
+    const flatblock::Index3 cells = { this->Samples[0] - 1, this->Samples[1] - 1,
+      this->Samples[2] - 1 };
+    values = Surround(values, cells);
+    ghosts = hidesCells ? Surround(ghosts, cells) : nullptr;
+    this->Samples = { cells[0] + 2, cells[1] + 2, cells[2] + 2 };
+  }
+  if (input.IsCellData ? hidesCells : hidesPoints)
+  {
+    const int hidden = input.IsCellData ? int(vtkDataSetAttributes::HIDDENCELL)
+                                        : int(vtkDataSetAttributes::HIDDENPOINT);
+    values = Blank(values, vtkUnsignedCharArray::SafeDownCast(ghosts), hidden, this->Blanked);
+  }
+  this->Values = values;
+  this->BuiltSamples = samples;
+  this->BuiltImageTime = imageTime;
+  this->BuiltComponent = component;
+  this->Modified();
+}
+
+void vtkFlatBlockScalars::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Samples: " << this->Samples[0] << " " << this->Samples[1] << " "
+     << this->Samples[2] << "\n";
+  os << indent << "Blanked: " << this->Blanked << "\n";
+}

@@ -1,0 +1,74 @@
+/**
+ * @class   vtkFlatBlockScalars
+ * @brief   the samples of a volume as blocks are built from them: one value after the other
+ *
+ * Point data of one component is handed on as it is. All else is copied: chosen components, values
+ * of cells, with those of the outer ones repeated around, and points or cells that are blanked,
+ * which become NaN. Does nothing when its inputs have not changed.
+ */
+
+#ifndef vtkFlatBlockScalars_h
+#define vtkFlatBlockScalars_h
+
+#include "BlockGrid.h"
+#include "vtkDataArray.h" // for its smart pointer
+#include "vtkObject.h"
+#include "vtkSmartPointer.h"
+
+namespace flatblock
+{
+struct VolumeInput;
+}
+
+class vtkFlatBlockScalars : public vtkObject
+{
+public:
+  static vtkFlatBlockScalars* New();
+  vtkTypeMacro(vtkFlatBlockScalars, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The norm of all components instead of one of them.
+   */
+  static constexpr int Magnitude = -1;
+
+  /**
+   * @param component  of the input's array, or Magnitude
+   */
+  void Update(const flatblock::VolumeInput& input, int component);
+
+  /**
+   * Valid after Update(): the values, x fastest, and how many an axis.
+   */
+  vtkDataArray* GetValues() const { return this->Values; }
+  const flatblock::Index3& GetSamples() const { return this->Samples; }
+
+  /**
+   * Values that were replaced by NaN.
+   */
+  vtkTypeInt64 GetNumberOfBlanked() const { return this->Blanked; }
+
+  /**
+   * Whether cells of point data are blanked, which takes no effect.
+   */
+  bool HasIgnoredBlanks() const { return this->IgnoredBlanks; }
+
+protected:
+  vtkFlatBlockScalars();
+  ~vtkFlatBlockScalars() override;
+
+private:
+  vtkFlatBlockScalars(const vtkFlatBlockScalars&) = delete;
+  void operator=(const vtkFlatBlockScalars&) = delete;
+
+  vtkSmartPointer<vtkDataArray> Values;
+  flatblock::Index3 Samples = { 0, 0, 0 };
+  vtkTypeInt64 Blanked = 0;
+  bool IgnoredBlanks = false;
+
+  const void* BuiltSamples = nullptr; // only compared with
+  vtkMTimeType BuiltImageTime = 0;
+  int BuiltComponent = 0;
+};
+
+#endif
