@@ -91,6 +91,25 @@ void SetGradientToWorld(vtkShaderProgram* program, vtkMatrix4x4* sampleToWorld)
 }
 } // namespace
 
+void SetGradientScale(
+  vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, double valuesPerTexel, double span)
+{
+  double spacing[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing[axis] = std::hypot(sampleToDataSet->GetElement(0, axis),
+      sampleToDataSet->GetElement(1, axis), sampleToDataSet->GetElement(2, axis));
+  }
+  const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
+  float scale[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    scale[axis] =
+      span > 0.0 ? static_cast<float>(valuesPerTexel / (0.25 * span) * mean / spacing[axis]) : 0.0F;
+  }
+  program->SetUniform3f("in_GradientToTable", scale);
+}
+
 void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProperty* material,
   vtkMatrix4x4* sampleToWorld)
 {

@@ -13,4 +13,12 @@ namespace flatblock
 /// headlight alone is taken to have a white one, whatever it says.
 void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProperty* material,
   vtkMatrix4x4* sampleToWorld);
+
+/// How gradients, in texels a sample, become magnitudes of a GradientTable: the uniform of
+/// Gradient.glsl.
+///
+/// @param valuesPerTexel  by which a texel is multiplied to be a value
+/// @param span            of all values
+void SetGradientScale(
+  vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, double valuesPerTexel, double span);
 } // namespace flatblock

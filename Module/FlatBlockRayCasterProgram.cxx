@@ -13,6 +13,7 @@
 #include "FlatBlockCompositingGLSL.h"
 #include "FlatBlockCountingGLSL.h"
 #include "FlatBlockExtremesGLSL.h"
+#include "FlatBlockGradientGLSL.h"
 #include "FlatBlockIsosurfacesGLSL.h"
 #include "FlatBlockMarchGLSL.h"
 #include "FlatBlockPostInterpolationGLSL.h"
@@ -26,6 +27,7 @@
 #include "FlatBlockSliceGLSL.h"
 #include "FlatBlockSumsGLSL.h"
 #include "FlatBlockTransferTableGLSL.h"
+#include "FlatBlockTwoDimensionalGLSL.h"
 #include "FlatBlockValuePointGLSL.h"
 #include "FlatBlockWalkGLSL.h"
 
@@ -41,6 +43,10 @@ std::string GetClassification(const RaySampling& sampling)
   if (!sampling.Blending.IsComposite())
   {
     return FlatBlockValuePointGLSL;
+  }
+  if (sampling.IsTwoDimensional)
+  {
+    return std::string(FlatBlockClassifiedPointGLSL) + FlatBlockTwoDimensionalGLSL;
   }
   if (method == Classification::PreIntegrated)
   {
@@ -83,6 +89,9 @@ std::string GetDefines(
   define(sampling.Jittering, "FLATBLOCK_JITTERING");
   define(sampling.RefinesImage, "FLATBLOCK_ADAPTIVE_IMAGE");
   define(sampling.IsShaded, "FLATBLOCK_SHADING");
+  define(sampling.NeedsGradients(), "FLATBLOCK_GRADIENT");
+  define(sampling.HasGradientTable(), "FLATBLOCK_GRADIENT_TABLE");
+  define(sampling.HasGradientOpacity, "FLATBLOCK_GRADIENT_OPACITY");
   define(sampling.Blending.IsExtreme(), "FLATBLOCK_EXTREMES");
   define(sampling.Blending.Mode == BlendMode::Minimum, "FLATBLOCK_MINIMUM");
   define(sampling.Blending.Mode == BlendMode::Average, "FLATBLOCK_AVERAGE");
@@ -118,6 +127,7 @@ vtkShaderProgram* ReadyRayCaster(vtkOpenGLRenderWindow* window, const RaySamplin
   insert("//FlatBlock::Blocks", FlatBlockBlocksGLSL);
   insert("//FlatBlock::Walk", FlatBlockWalkGLSL);
   insert("//FlatBlock::TransferTable", FlatBlockTransferTableGLSL);
+  insert("//FlatBlock::Gradient", sampling.NeedsGradients() ? FlatBlockGradientGLSL : "");
   insert("//FlatBlock::Classification", GetClassification(sampling));
   insert("//FlatBlock::Shading", sampling.IsShaded ? FlatBlockShadingGLSL : "");
   const bool isMarched = sampling.Blending.Mode != BlendMode::Slice;

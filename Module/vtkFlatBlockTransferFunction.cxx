@@ -1,6 +1,8 @@
 #include "vtkFlatBlockTransferFunction.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkFlatBlockGradientFunction.h"
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
@@ -20,6 +22,11 @@ constexpr int MostEntries = 8192;     // the width that every driver with OpenGL
 
 vtkMTimeType GetLastEdit(vtkVolumeProperty* property)
 {
+  if (flatblock::HasTwoDimensions(property))
+  {
+    vtkImageData* function = property->GetTransferFunction2D();
+    return std::max(property->GetMTime(), function ? function->GetMTime() : 0);
+  }
   const vtkMTimeType color = property->GetColorChannels() == 1
                                ? property->GetGrayTransferFunction()->GetMTime()
                                : property->GetRGBTransferFunction()->GetMTime();
@@ -60,6 +67,10 @@ bool BecomesOpaque(vtkPiecewiseFunction* opacity, const flatblock::ValueRange& r
 // Fine enough for the closest pair of nodes, with an entry at every integer where there is room.
 int CountEntries(vtkVolumeProperty* property, const flatblock::ValueRange& range)
 {
+  if (flatblock::HasTwoDimensions(property))
+  {
+    return property->GetTransferFunction2D()->GetDimensions()[0];
+  }
   const double span = range.Highest - range.Lowest;
   if (span <= 0.0)
   {
@@ -124,6 +135,47 @@ std::vector<float> SampleColors(
   }
   return colors;
 }
+
+// What the functions give to values at equal distances.
+struct SampledFunctions
+{
+  std::vector<float> Colors; // three a value
+  std::vector<double> Opacities;
+};
+
+// Of a function of two dimensions each value has what is the most opaque with it.
+SampledFunctions SampleTwoDimensions(vtkImageData* function, int count)
+{
+  const auto colors = flatblock::GetTwoDimensionalColors(function);
+  const auto width = static_cast<std::size_t>(function->GetDimensions()[0]);
+  SampledFunctions samples;
+  for (int i = 0; i < count; ++i)
+  {
+    const double share = i / std::max(count - 1.0, 1.0);
+    std::size_t best = static_cast<std::size_t>(std::lround(share * (width - 1.0)));
+    for (std::size_t texel = best; texel < colors.size(); texel += width)
+    {
+      best = colors[texel][3] > colors[best][3] ? texel : best;
+    }
+    samples.Colors.insert(samples.Colors.end(), colors[best].begin(), colors[best].begin() + 3);
+    samples.Opacities.push_back(colors[best][3]);
+  }
+  return samples;
+}
+
+SampledFunctions SampleFunctions(
+  vtkVolumeProperty* property, const flatblock::ValueRange& range, int count)
+{
+  if (flatblock::HasTwoDimensions(property))
+  {
+    return SampleTwoDimensions(property->GetTransferFunction2D(), count);
+  }
+  SampledFunctions samples = { SampleColors(property, range, count), std::vector<double>(count) };
+  property->GetScalarOpacity()->GetTable(
+    range.Lowest, range.Highest, count, samples.Opacities.data());
+  return samples;
+}
+
 template <int Size, typename Function>
 void CheckNodes(Function* function, const char* name)
 {
@@ -141,6 +193,11 @@ void CheckNodes(Function* function, const char* name)
 
 void CheckNodes(vtkVolumeProperty* property)
 {
+  if (flatblock::HasTwoDimensions(property))
+  {
+    flatblock::GetTwoDimensionalColors(property->GetTransferFunction2D());
+    return;
+  }
   CheckNodes<4>(property->GetScalarOpacity(), "opacity");
   if (property->GetColorChannels() == 1)
   {
@@ -165,10 +222,7 @@ bool vtkFlatBlockTransferFunction::Update(vtkVolumeProperty* property,
   }
   CheckNodes(property);
   const int count = CountEntries(property, range);
-  const std::vector<float> colors = SampleColors(property, range, count);
-  std::vector<double> opacities(count);
-  property->GetScalarOpacity()->GetTable(range.Lowest, range.Highest, count, opacities.data());
-
+  const auto [colors, opacities] = SampleFunctions(property, range, count);
   const double distance =
     blending.IsComposite() ? property->GetScalarOpacityUnitDistance() / unitOfLength : 1.0;
   std::vector<flatblock::TransferTable::Entry> entries(count);
@@ -201,9 +255,7 @@ void vtkFlatBlockTransferFunction::UpdateClassified(
   {
     return;
   }
-  const std::vector<float> colors = SampleColors(property, range, count);
-  std::vector<double> opacities(count);
-  property->GetScalarOpacity()->GetTable(range.Lowest, range.Highest, count, opacities.data());
+  const auto [colors, opacities] = SampleFunctions(property, range, count);
   std::vector<flatblock::ClassifiedColor> classified(count);
   for (int i = 0; i < count; ++i)
   {

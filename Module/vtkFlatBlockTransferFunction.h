@@ -8,9 +8,9 @@
 #ifndef vtkFlatBlockTransferFunction_h
 #define vtkFlatBlockTransferFunction_h
 
+#include "Blending.h"
 #include "BlockRanges.h"
 #include "ClassifiedTable.h"
-#include "Blending.h"
 #include "TransferTable.h"
 #include "vtkObject.h"
 #include "vtkTimeStamp.h"

@@ -128,7 +128,7 @@ int vtkFlatBlockVolumeMapper::RenderUntilConverged(vtkRenderWindow* window)
   return frames;
 }
 
-void vtkFlatBlockVolumeMapper::WarnAboutIgnoredSettings(vtkVolume* volume)
+void vtkFlatBlockVolumeMapper::WarnAboutIgnoredSettings()
 {
   std::string ignored;
   const auto check = [&ignored](bool isSet, const char* name)
@@ -138,10 +138,6 @@ void vtkFlatBlockVolumeMapper::WarnAboutIgnoredSettings(vtkVolume* volume)
       ignored += (ignored.empty() ? "" : ", ") + std::string(name);
     }
   };
-  vtkVolumeProperty* property = volume->GetProperty();
-  check(
-    property->HasGradientOpacity() && !property->GetDisableGradientOpacity(), "gradient opacity");
-  check(property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D, "2D transfer functions");
   check(this->Internals->Scalars->HasIgnoredBlanks(), "blanked cells of point data");
   if (!ignored.empty() && ignored != this->Internals->LastWarning)
   {

@@ -19,8 +19,13 @@
  * values from 0 to 1 over the data's range and drawn as grays. Isosurfaces, those of the property's
  * GetIsoSurfaceValues(), have the colour and the opacity of their value. The slice is that of a
  * vtkPlane in world coordinates, in the property's SetSliceFunction(). Clipping planes and cropping
- * cut rays where they lie. Gradient opacity and 2D transfer functions are not supported yet; a
- * warning says so where they are set. Hardware selection passes through the volume.
+ * cut rays where they lie. Hardware selection passes through the volume.
+ *
+ * With composite blending, gradient opacity and 2D transfer functions are measured as
+ * vtkGPUVolumeRayCastMapper does: the magnitude of the gradient times the mean spacing, where what
+ * is beyond a quarter of the data's range counts as that. Rows of a 2D function go from 0 to there,
+ * columns over the data's range; its opacity is that of ScalarOpacityUnitDistance. Other blend modes
+ * take of a 2D function what is the most opaque with a value.
  *
  * What cannot be drawn gives one error, and nothing is drawn until it is set right.
  *
@@ -374,7 +379,7 @@ private:
   void CastRays(vtkRenderer* renderer, vtkVolume* volume);
   void AdjustSampling(vtkRenderer* renderer, vtkVolume* volume);
   void WarnAboutSamples();
-  void WarnAboutIgnoredSettings(vtkVolume* volume);
+  void WarnAboutIgnoredSettings();
 
   int BlockSize = 33;
   vtkTypeInt64 MaxMemoryInBytes = vtkTypeInt64(256) << 20;

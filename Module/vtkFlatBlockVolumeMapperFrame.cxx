@@ -38,7 +38,7 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   this->AdjustSampling(renderer, volume);
   in.Statistics = flatblock::FrameStatistics{ 0, 0, in.Statistics.FramesSinceChange + 1 };
   this->UpdateBlocks();
-  this->WarnAboutIgnoredSettings(volume);
+  this->WarnAboutIgnoredSettings();
   this->WarnAboutSamples();
   this->UpdateTransferTable(volume);
   in.ChooseCubes(this->Skipping, this->MaxMemoryInBytes);
@@ -46,10 +46,11 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   vtkFlatBlockSkipMap::Settings settings;
   settings.IsFiltered = this->LevelFilter == TENT;
   const bool isComposite = in.Sampling.Blending.IsComposite();
-  settings.LeapsMatter = this->HomogeneousLeaps && !in.Sampling.IsShaded && isComposite;
+  settings.LeapsMatter = this->HomogeneousLeaps && !in.Sampling.NeedsGradients() && isComposite;
   settings.Tolerance = isComposite ? this->VariationTolerance : 0.0;
   in.UpdateSkipMap(settings);
   in.UpdateBrickRanges();
+  in.UpdateGradientTable();
   this->DrawRays(renderer, volume);
 }
 
@@ -141,6 +142,8 @@ void vtkFlatBlockVolumeMapper::UpdateTransferTable(vtkVolume* volume)
   flatblock::StageTimer timer(in.Statistics.RangeMilliseconds);
   in.TransferFunction->Update(
     volume->GetProperty(), in.Builder->GetRange(), in.Sampling.UnitOfLength, in.Sampling.Blending);
+  in.GradientFunction->Update(
+    volume->GetProperty(), in.Builder->GetRange(), in.Sampling.UnitOfLength);
   const flatblock::TransferTable& table = in.TransferFunction->GetDecisiveValues();
   if (std::max(in.TransferFunction->GetMTime(), in.Builder->GetMTime()) > in.VisibleBlocksTime)
   {
@@ -161,7 +164,8 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer
   return vtkOpenGLFlatBlockAtlas::GetIndexBytes(this->GetNumberOfBlocks()) +
          flatblock::RoundUp(vtkOpenGLFlatBlockSceneDepth::GetBytes(size[0], size[1])) +
          vtkOpenGLFlatBlockRayCaster::GetTableBytes(in.TransferFunction->GetTable(), in.Sampling) +
-         in.GetSkipMapBytes() + in.GetBrickRangeBytes() + this->GetImageBytes(renderer);
+         in.GetSkipMapBytes() + in.GetBrickRangeBytes() + in.GetGradientTableBytes() +
+         this->GetImageBytes(renderer);
 }
 
 void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* volume)
@@ -192,7 +196,7 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
   const flatblock::VolumeView view =
     flatblock::GetVolumeView(renderer, volume, this, in.Input, point);
   const bool isWeighted = isLimited && this->VisibilityWeighting && view.HasPlainCamera &&
-                          in.Sampling.Blending.IsComposite();
+                          in.Sampling.Blending.IsComposite() && !in.Sampling.HasGradientTable();
   if (isWeighted)
   {
     in.UpdateClassified();
@@ -246,7 +250,8 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
     in.CardLimit = {};
   }
   const flatblock::TransferTable& table = in.TransferFunction->GetTable();
-  in.RayCaster->ReleaseStale(renderer, table, in.GetSkipMapBytes(), in.Sampling);
+  in.RayCaster->ReleaseStale(
+    renderer, table, { in.GetSkipMapBytes(), in.GetGradientTableBytes() }, in.Sampling);
   while (!this->TryAtlas(renderer, volume))
   {
     this->ShrinkAtlas();

@@ -7,6 +7,7 @@
 #include "MemoryCounter.h"
 #include "vtkFlatBlockBuilder.h"
 #include "vtkFlatBlockDistortion.h"
+#include "vtkFlatBlockGradientFunction.h"
 #include "vtkFlatBlockLevels.h"
 #include "vtkFlatBlockScalars.h"
 #include "vtkFlatBlockSkipMap.h"
@@ -89,12 +90,15 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   void AdjustInteractiveFactor(double seconds, double allowed, double largest);
   void UpdateBrickRanges();
   vtkTypeInt64 GetBrickRangeBytes() const;
+  void UpdateGradientTable();
+  vtkTypeInt64 GetGradientTableBytes() const;
   flatblock::FramePlan PlanFrame(const flatblock::RefinementBudget* budget, bool continuity);
 
   flatblock::MemoryCounter Memory; // outlives those who count in it
   vtkNew<vtkFlatBlockScalars> Scalars;
   vtkNew<vtkFlatBlockBuilder> Builder;
   vtkNew<vtkFlatBlockTransferFunction> TransferFunction;
+  vtkNew<vtkFlatBlockGradientFunction> GradientFunction;
   std::vector<std::uint8_t> VisibleBlocks;
   vtkNew<vtkFlatBlockDistortion> Distortion;
   std::vector<float> LeastExtinction; // of each block
@@ -111,6 +115,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   double InteractiveFactor = 1.0;  // by which interactive frames lengthen their distances
   vtkTimeStamp VisibleBlocksTime;
   vtkTimeStamp TransferTextureTime;
+  vtkTimeStamp GradientTextureTime;
   vtkTimeStamp SkipTextureTime;
   bool AreBrickRangesCurrent = false;
   vtkTimeStamp ExtinctionTime;

@@ -27,10 +27,10 @@ namespace
 // Images of less are not worth it; and the memory that is kept free for one is a quarter.
 constexpr double LeastInteractiveFactor = 2.0;
 
-flatblock::Classification GetMethod(int classification, vtkVolume* volume, bool isComposite)
+flatblock::Classification GetMethod(int classification, vtkVolume* volume, bool mayIntegrate)
 {
   // Between nearest samples there is nothing to integrate or to interpolate.
-  if (volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION || !isComposite)
+  if (volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION || !mayIntegrate)
   {
     return flatblock::Classification::PostInterpolation;
   }
@@ -56,7 +56,8 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   vtkInternals& in = *this->Internals;
   flatblock::RaySampling& sampling = in.Sampling;
   sampling.Blending = flatblock::GetBlending(this, volume->GetProperty());
-  sampling.Method = GetMethod(this->Classification, volume, sampling.Blending.IsComposite());
+  sampling.Method = GetMethod(this->Classification, volume,
+    sampling.Blending.IsComposite() && !flatblock::HasTwoDimensions(volume->GetProperty()));
   sampling.UnitOfOpacity = volume->GetProperty()->GetScalarOpacityUnitDistance();
   sampling.UnitOfLength = in.Input.SmallestSpacing;
   // Beyond these nothing changes in the picture, and single precision would overflow.
@@ -74,6 +75,10 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   sampling.Jittering = this->UseJittering;
   sampling.Adaptive = this->AdaptiveSampling;
   sampling.IsShaded = volume->GetProperty()->GetShade() != 0 && sampling.Blending.HasSurfaces();
+  sampling.HasGradientOpacity =
+    flatblock::HasGradientOpacity(volume->GetProperty()) && sampling.Blending.IsComposite();
+  sampling.IsTwoDimensional =
+    flatblock::HasTwoDimensions(volume->GetProperty()) && sampling.Blending.IsComposite();
   sampling.ShadingThreshold = this->ShadingOpacityThreshold;
   sampling.MostSamples = this->MaximumNumberOfSamples;
   sampling.CountsSamples = this->CountSamples;

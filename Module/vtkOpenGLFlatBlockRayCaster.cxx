@@ -12,6 +12,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFlatBlockAtlas.h"
 #include "vtkOpenGLFlatBlockBrickRanges.h"
+#include "vtkOpenGLFlatBlockGradientTexture.h"
 #include "vtkOpenGLFlatBlockRayImage.h"
 #include "vtkOpenGLFlatBlockSceneDepth.h"
 #include "vtkOpenGLFlatBlockSkipTexture.h"
@@ -40,6 +41,7 @@ void vtkOpenGLFlatBlockRayCaster::SetMemoryCounter(flatblock::MemoryCounter* cou
   this->TransferTable->SetMemoryCounter(counter);
   this->SkipTexture->SetMemoryCounter(counter);
   this->BrickRanges->SetMemoryCounter(counter);
+  this->GradientTexture->SetMemoryCounter(counter);
   this->SceneDepth->SetMemoryCounter(counter);
   this->RayImage->SetMemoryCounter(counter);
 }
@@ -67,11 +69,12 @@ vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetImageBytes(
 }
 
 void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
-  const flatblock::TransferTable& table, vtkTypeInt64 skipMapBytes,
+  const flatblock::TransferTable& table, const LookupBytes& bytes,
   const flatblock::RaySampling& sampling)
 {
   this->SceneDepth->ReleaseIfStale(renderer);
-  this->SkipTexture->ReleaseIfStale(renderer->GetRenderWindow(), skipMapBytes);
+  this->SkipTexture->ReleaseIfStale(renderer->GetRenderWindow(), bytes.SkipMap);
+  this->GradientTexture->ReleaseIfStale(renderer->GetRenderWindow(), bytes.GradientTable);
   this->TransferTable->ReleaseIfStale(renderer->GetRenderWindow(), table, NeedsIntegrals(sampling));
   if (sampling.HasImage())
   {
@@ -115,6 +118,18 @@ bool vtkOpenGLFlatBlockRayCaster::SetBrickRanges(
 bool vtkOpenGLFlatBlockRayCaster::HasBrickRanges() const
 {
   return this->BrickRanges->IsUploaded();
+}
+
+bool vtkOpenGLFlatBlockRayCaster::SetGradientTable(
+  vtkOpenGLRenderWindow* window, const flatblock::GradientTable& table)
+{
+  this->GradientTexture->ReleaseGraphicsResources(window);
+  return table.IsEmpty() || this->GradientTexture->Upload(window, table);
+}
+
+bool vtkOpenGLFlatBlockRayCaster::HasGradientTable() const
+{
+  return this->GradientTexture->IsUploaded();
 }
 
 void vtkOpenGLFlatBlockRayCaster::Finish()
@@ -166,7 +181,7 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   flatblock::SetClipping(program, scene.Clipping);
   flatblock::SetBlending(program, scene.Sampling, scene.Clipping, *scene.Table);
   this->TransferTable->Activate(program, scene.Source->GetEncoding());
-  if (scene.Sampling.RayStart > 0.0 || scene.Sampling.IsShaded)
+  if (scene.Sampling.RayStart > 0.0 || scene.Sampling.NeedsGradients())
   {
     flatblock::SetDirections(program, "in_SampleToWorld", sampleToWorld, 1.0);
   }
@@ -201,6 +216,10 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   if (scene.Sampling.CellsPerCube > 0)
   {
     this->SkipTexture->Deactivate();
+  }
+  if (scene.Sampling.HasGradientTable())
+  {
+    this->GradientTexture->Deactivate();
   }
   if (scene.Sampling.UsesRanges())
   {
@@ -270,6 +289,12 @@ void vtkOpenGLFlatBlockRayCaster::SetBlocks(vtkShaderProgram* program, const Sce
   program->SetUniform3f("in_AtlasTexel", texel);
   program->SetUniformi("in_CellsPerBlock", grid.GetCellsPerBlock());
   program->SetUniform1iv("in_Blocks", 3, grid.GetBlocks().data());
+  if (scene.Sampling.HasGradientTable())
+  {
+    this->GradientTexture->Activate(program);
+    flatblock::SetGradientScale(program, scene.SampleToDataSet, scene.Source->GetEncoding().Scale,
+      scene.Table->GetHighest() - scene.Table->GetLowest());
+  }
   if (scene.Sampling.UsesRanges())
   {
     this->BrickRanges->Activate(program);
@@ -350,6 +375,7 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseGraphicsResources(vtkWindow* window)
   this->TransferTable->ReleaseGraphicsResources(window);
   this->SkipTexture->ReleaseGraphicsResources(window);
   this->BrickRanges->ReleaseGraphicsResources(window);
+  this->GradientTexture->ReleaseGraphicsResources(window);
   this->SceneDepth->ReleaseGraphicsResources(window);
   this->RayImage->ReleaseGraphicsResources(window);
 }

@@ -7,6 +7,7 @@
 #define vtkOpenGLFlatBlockRayCaster_h
 
 #include "BrickSource.h"
+#include "GradientTable.h"
 #include "MemoryCounter.h"
 #include "RaySampling.h"
 #include "SkipMap.h"
@@ -18,6 +19,7 @@
 class vtkMatrix4x4;
 class vtkOpenGLFlatBlockAtlas;
 class vtkOpenGLFlatBlockBrickRanges;
+class vtkOpenGLFlatBlockGradientTexture;
 class vtkOpenGLFlatBlockRayImage;
 class vtkOpenGLFlatBlockSceneDepth;
 class vtkOpenGLFlatBlockSkipTexture;
@@ -63,8 +65,13 @@ public:
   /**
    * Releases what the next Draw() will allocate in another size, so that its memory is free before.
    */
+  struct LookupBytes
+  {
+    vtkTypeInt64 SkipMap;
+    vtkTypeInt64 GradientTable;
+  };
   void ReleaseStale(vtkRenderer* renderer, const flatblock::TransferTable& table,
-    vtkTypeInt64 skipMapBytes, const flatblock::RaySampling& sampling);
+    const LookupBytes& bytes, const flatblock::RaySampling& sampling);
 
   /**
    * Sends a transfer function to the graphics card, where Draw() finds it: with its integrals where
@@ -88,6 +95,12 @@ public:
   bool SetBrickRanges(
     vtkOpenGLRenderWindow* window, const std::vector<flatblock::TexelRange>& ranges);
   bool HasBrickRanges() const;
+
+  /**
+   * The same for what depends on gradients, which may be nothing.
+   */
+  bool SetGradientTable(vtkOpenGLRenderWindow* window, const flatblock::GradientTable& table);
+  bool HasGradientTable() const;
 
   /**
    * Bytes of a transfer function, and of the image of rays where one is drawn.
@@ -138,6 +151,7 @@ private:
   vtkNew<vtkOpenGLFlatBlockTransferTable> TransferTable;
   vtkNew<vtkOpenGLFlatBlockSkipTexture> SkipTexture;
   vtkNew<vtkOpenGLFlatBlockBrickRanges> BrickRanges;
+  vtkNew<vtkOpenGLFlatBlockGradientTexture> GradientTexture;
   vtkNew<vtkOpenGLFlatBlockSceneDepth> SceneDepth;
   vtkNew<vtkOpenGLFlatBlockRayImage> RayImage;
 };

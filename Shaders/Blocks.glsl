@@ -14,7 +14,7 @@ uniform sampler2D in_BrickRanges; // of a block's texels: lowest, and from there
 
 const uint NotResident = 65535u;
 
-#ifdef FLATBLOCK_SHADING
+#ifdef FLATBLOCK_GRADIENT
 const float Apron = 1.0; // samples around a brick
 #else
 const float Apron = 0.0;

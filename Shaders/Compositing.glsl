@@ -59,6 +59,41 @@ Piece pieceWithoutHoles(Point front, Point back, float length)
   return pieceBetween(front, back, length);
 }
 
+#ifdef FLATBLOCK_GRADIENT_OPACITY
+// What matter that is `share` times as dense lets be seen.
+vec4 thinned(vec4 color, float share)
+{
+  float depth = color.a < 1e-3 ? color.a * (1.0 + 0.5 * color.a) : -log(max(1.0 - color.a, 1e-30));
+  float opacity = opacityOfDepth(depth * share);
+  return vec4(color.rgb * (opacity / max(color.a, 1e-30)), opacity);
+}
+#endif
+
+#ifdef FLATBLOCK_GRADIENT
+// What the gradient in a piece does to it.
+void modulate(inout Gathered gathered, inout vec4 color, Brick brick, vec3 position, vec3 view)
+{
+#ifdef FLATBLOCK_GRADIENT_OPACITY
+  if (color.a > 0.0)
+  {
+    vec3 gradient = gradientAt(brick, position);
+    color = thinned(color, lookUpGradient(0.0, gradient).r);
+#ifdef FLATBLOCK_SHADING
+    gathered.light = lightOn(gradient, view);
+#endif
+  }
+#elif defined(FLATBLOCK_SHADING)
+  if ((1.0 - gathered.color.a) * color.a > in_ShadingOpacityThreshold)
+  {
+    gathered.light = lightOn(gradientAt(brick, position), view);
+  }
+#endif
+#ifdef FLATBLOCK_SHADING
+  color.rgb = lit(color, gathered.light);
+#endif
+}
+#endif
+
 // Point after point. A piece whose error is too large is split.
 void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 origin, Brick brick,
   Stretch stretch)
@@ -68,7 +103,7 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
   {
     findFront(progress, ray, origin);
   }
-#ifdef FLATBLOCK_SHADING
+#ifdef FLATBLOCK_GRADIENT
   vec3 view = -normalize(in_SampleToWorld * ray.direction);
 #endif
   float target = stretch.exit;
@@ -92,9 +127,9 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
     }
     else
     {
-#ifdef FLATBLOCK_SHADING
+#ifdef FLATBLOCK_GRADIENT
       vec3 middle = origin + 0.5 * (progress.at + target) * ray.direction;
-      shade(piece.color, gathered.light, 1.0 - gathered.color.a, brick, middle, view);
+      modulate(gathered, piece.color, brick, middle, view);
 #endif
       gathered.color = composite(gathered.color, piece.color);
       moveTo(progress, back, target, brick);
@@ -108,7 +143,7 @@ void gatherMatter(inout Gathered gathered, Progress progress, float length)
 {
   vec4 layer = layerOf(progress.front.matter, length);
 #ifdef FLATBLOCK_SHADING
-  layer.rgb = layer.rgb * gathered.light.reflected + layer.a * gathered.light.specular;
+  layer.rgb = lit(layer, gathered.light);
 #endif
   gathered.color = composite(gathered.color, layer);
 }

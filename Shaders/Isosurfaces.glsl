@@ -53,7 +53,7 @@ vec4 surfaceAt(Ray ray, vec3 origin, Brick brick, float isoValue, float at)
 #ifdef FLATBLOCK_SHADING
   vec3 view = -normalize(in_SampleToWorld * ray.direction);
   Light light = lightOn(gradientAt(brick, origin + at * ray.direction), view);
-  color.rgb = color.rgb * light.reflected + color.a * light.specular;
+  color.rgb = lit(color, light);
 #endif
   return color;
 }

@@ -14,7 +14,7 @@ uniform sampler2D in_SceneDepth; // of the opaque geometry, over the viewport
 uniform ivec2 in_ViewportOrigin;
 uniform vec2 in_ViewportSize;
 uniform vec2 in_PixelsPerRay;
-#if defined(FLATBLOCK_RAY_START) || defined(FLATBLOCK_SHADING)
+#if defined(FLATBLOCK_RAY_START) || defined(FLATBLOCK_GRADIENT)
 uniform mat3 in_SampleToWorld;
 #endif
 #ifdef FLATBLOCK_RAY_START

@@ -13,6 +13,7 @@
 //FlatBlock::Blocks
 //FlatBlock::Walk
 //FlatBlock::TransferTable
+//FlatBlock::Gradient
 //FlatBlock::Classification
 //FlatBlock::Shading
 //FlatBlock::Progress

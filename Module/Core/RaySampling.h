@@ -32,6 +32,8 @@ struct RaySampling
   bool Adaptive = true; ///< the step doubles a level
   int CellsPerCube = 0; ///< along a side, of the map of leaps; 0: there is none
   bool IsShaded = false;
+  bool HasGradientOpacity = false;
+  bool IsTwoDimensional = false; ///< colours depend on gradients
   double ShadingThreshold = 0.0; ///< opacity that a piece must be seen with to be lit anew
   int MostSamples = 0;           ///< of a ray; 0: no limit
   double RayStart = 0.0;         ///< in world units from the eye, or the near plane
@@ -45,8 +47,11 @@ struct RaySampling
 
   static constexpr double CoarsePixelsPerRay = 4.0;
 
+  bool HasGradientTable() const { return this->HasGradientOpacity || this->IsTwoDimensional; }
+  bool NeedsGradients() const { return this->IsShaded || this->HasGradientTable(); }
+
   /// Samples around a brick that its derivatives reach for.
-  int GetApron() const { return this->IsShaded ? 1 : 0; }
+  int GetApron() const { return this->NeedsGradients() ? 1 : 0; }
 
   /// Whether rays ask for the values that a block has.
   bool UsesRanges() const { return this->HasBrickRanges || this->Blending.IsExtreme(); }

@@ -1,10 +1,11 @@
 #include "vtkFlatBlockVolumeMapperInternals.h"
 #include "vtkOpenGLFlatBlockBrickRanges.h"
+#include "vtkOpenGLFlatBlockGradientTexture.h"
 
 #include <stdexcept>
 
-// Ranges of bricks in vtkFlatBlockVolumeMapper: for those of few bits, on scales of their own, and
-// for extremes.
+// What rays of vtkFlatBlockVolumeMapper look up beside bricks and colours: ranges of bricks, for
+// those of few bits, on scales of their own, and for extremes; and what depends on gradients.
 
 vtkTypeInt64 vtkFlatBlockVolumeMapper::vtkInternals::GetBrickRangeBytes() const
 {
@@ -30,4 +31,28 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateBrickRanges()
     throw std::runtime_error("The graphics card has no memory for the ranges of the bricks.");
   }
   this->AreBrickRangesCurrent = true;
+}
+
+vtkTypeInt64 vtkFlatBlockVolumeMapper::vtkInternals::GetGradientTableBytes() const
+{
+  return this->Sampling.HasGradientTable()
+           ? vtkOpenGLFlatBlockGradientTexture::GetBytes(this->GradientFunction->GetTable())
+           : 0;
+}
+
+void vtkFlatBlockVolumeMapper::vtkInternals::UpdateGradientTable()
+{
+  const bool isUsed = this->Sampling.HasGradientTable();
+  if (this->RayCaster->HasGradientTable() == isUsed &&
+      this->GradientFunction->GetMTime() <= this->GradientTextureTime)
+  {
+    return;
+  }
+  flatblock::StageTimer timer(this->Statistics.UploadMilliseconds);
+  if (!this->RayCaster->SetGradientTable(
+        this->Window, isUsed ? this->GradientFunction->GetTable() : flatblock::GradientTable()))
+  {
+    throw std::runtime_error("The graphics card has no memory for the function of gradients.");
+  }
+  this->GradientTextureTime.Modified();
 }

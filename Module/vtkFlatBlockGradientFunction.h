@@ -1,0 +1,64 @@
+/**
+ * @class   vtkFlatBlockGradientFunction
+ * @brief   gradient opacity, or the 2D transfer function, of a property as a table
+ *
+ * Does nothing when its inputs have not changed.
+ */
+
+#ifndef vtkFlatBlockGradientFunction_h
+#define vtkFlatBlockGradientFunction_h
+
+#include "BlockRanges.h"
+#include "GradientTable.h"
+#include "vtkObject.h"
+
+#include <array>
+#include <vector>
+
+class vtkImageData;
+class vtkVolumeProperty;
+
+namespace flatblock
+{
+/// Whether opacity depends on gradients; and whether colours do, too.
+bool HasGradientOpacity(vtkVolumeProperty* property);
+bool HasTwoDimensions(vtkVolumeProperty* property);
+
+/// Red, green, blue and opacity of a 2D function, x fastest: from 0 to 1, which unsigned char are
+/// scaled to.
+/// @throws std::runtime_error where it is no image of them
+std::vector<std::array<float, 4>> GetTwoDimensionalColors(vtkImageData* image);
+} // namespace flatblock
+
+class vtkFlatBlockGradientFunction : public vtkObject
+{
+public:
+  static vtkFlatBlockGradientFunction* New();
+  vtkTypeMacro(vtkFlatBlockGradientFunction, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * @param unitOfLength  of extinctions
+   * @throws std::runtime_error where the 2D function is none that can be drawn
+   */
+  void Update(vtkVolumeProperty* property, const flatblock::ValueRange& range, double unitOfLength);
+
+  const flatblock::GradientTable& GetTable() const { return this->Table; }
+
+protected:
+  vtkFlatBlockGradientFunction() = default;
+  ~vtkFlatBlockGradientFunction() override = default;
+
+private:
+  vtkFlatBlockGradientFunction(const vtkFlatBlockGradientFunction&) = delete;
+  void operator=(const vtkFlatBlockGradientFunction&) = delete;
+
+  flatblock::GradientTable Table;
+
+  vtkVolumeProperty* BuiltProperty = nullptr; // only compared with
+  vtkMTimeType BuiltTime = 0;
+  double BuiltUnit = 0.0;
+  double BuiltSpan = 0.0;
+};
+
+#endif

@@ -1,0 +1,13 @@
+// Classification by a value and the magnitude of the gradient there: colour and extinction.
+
+Point pointAt(Brick brick, vec3 position)
+{
+  float texel = texelOf(brick, position);
+  float across = positionInTable(texel) / in_LastEntry;
+  Point point;
+  point.matter = lookUpGradient(across, gradientAt(brick, position));
+#ifdef FLATBLOCK_HOLES
+  point.isHole = isHole(texel);
+#endif
+  return point;
+}
