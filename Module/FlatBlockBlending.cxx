@@ -59,9 +59,15 @@ float ToTable(const TransferTable& table, double value)
 }
 } // namespace
 
-Blending GetBlending(vtkVolumeMapper* mapper, vtkVolumeProperty* property)
+Blending GetBlending(vtkVolumeMapper* mapper, vtkVolumeProperty* property, int components)
 {
   Blending blending;
+  if (components > 1 && mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    throw std::runtime_error("Of " + std::to_string(components) +
+                             " components only composite blending can be drawn. SetVectorMode() "
+                             "takes one of them, or their magnitude.");
+  }
   switch (mapper->GetBlendMode())
   {
   case vtkVolumeMapper::COMPOSITE_BLEND:

@@ -13,7 +13,7 @@ struct Clipping;
 struct RaySampling;
 
 /// @throws std::runtime_error where a setting that the blend mode needs is missing
-Blending GetBlending(vtkVolumeMapper* mapper, vtkVolumeProperty* property);
+Blending GetBlending(vtkVolumeMapper* mapper, vtkVolumeProperty* property, int components);
 
 void SetBlending(vtkShaderProgram* program, const RaySampling& sampling, const Clipping& clipping,
   const TransferTable& table);

@@ -92,8 +92,9 @@ void SetGradientToWorld(vtkShaderProgram* program, vtkMatrix4x4* sampleToWorld)
 } // namespace
 
 void SetGradientScale(
-  vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, double valuesPerTexel, double span)
+  vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, const ComponentTables& tables)
 {
+  constexpr double ShareOfRange = 0.25;
   double spacing[3];
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -104,10 +105,17 @@ void SetGradientScale(
   float scale[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    scale[axis] =
-      span > 0.0 ? static_cast<float>(valuesPerTexel / (0.25 * span) * mean / spacing[axis]) : 0.0F;
+    scale[axis] = static_cast<float>(mean / spacing[axis] / ShareOfRange);
   }
   program->SetUniform3f("in_GradientToTable", scale);
+  std::vector<float> units(tables.size());
+  std::transform(tables.begin(), tables.end(), units.begin(),
+    [](const ComponentTable& component)
+    {
+      const double span = component.Table->GetHighest() - component.Table->GetLowest();
+      return span > 0.0 ? static_cast<float>(component.Encoding.Scale / span) : 0.0F;
+    });
+  program->SetUniform1fv("in_GradientUnits", static_cast<int>(units.size()), units.data());
 }
 
 void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProperty* material,

@@ -1,6 +1,8 @@
 /// The lights of a renderer on the material of a volume: the uniforms of Shading.glsl.
 #pragma once
 
+#include "ComponentTable.h"
+
 class vtkMatrix4x4;
 class vtkRenderer;
 class vtkShaderProgram;
@@ -14,11 +16,8 @@ namespace flatblock
 void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProperty* material,
   vtkMatrix4x4* sampleToWorld);
 
-/// How gradients, in texels a sample, become magnitudes of a GradientTable: the uniform of
+/// How gradients, in texels a sample, become magnitudes of a GradientTable: the uniforms of
 /// Gradient.glsl.
-///
-/// @param valuesPerTexel  by which a texel is multiplied to be a value
-/// @param span            of all values
 void SetGradientScale(
-  vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, double valuesPerTexel, double span);
+  vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, const ComponentTables& tables);
 } // namespace flatblock

@@ -10,6 +10,7 @@
 #include "FlatBlockBlocksGLSL.h"
 #include "FlatBlockClassifiedPointGLSL.h"
 #include "FlatBlockClippingGLSL.h"
+#include "FlatBlockComponentsGLSL.h"
 #include "FlatBlockCompositingGLSL.h"
 #include "FlatBlockCountingGLSL.h"
 #include "FlatBlockExtremesGLSL.h"
@@ -23,6 +24,7 @@
 #include "FlatBlockRayCasterFragmentGLSL.h"
 #include "FlatBlockRayCasterVertexGLSL.h"
 #include "FlatBlockRayGLSL.h"
+#include "FlatBlockSelectionGLSL.h"
 #include "FlatBlockShadingGLSL.h"
 #include "FlatBlockSliceGLSL.h"
 #include "FlatBlockSumsGLSL.h"
@@ -43,6 +45,10 @@ std::string GetClassification(const RaySampling& sampling)
   if (!sampling.Blending.IsComposite())
   {
     return FlatBlockValuePointGLSL;
+  }
+  if (sampling.Components > 1)
+  {
+    return std::string(FlatBlockClassifiedPointGLSL) + FlatBlockComponentsGLSL;
   }
   if (sampling.IsTwoDimensional)
   {
@@ -90,12 +96,20 @@ std::string GetDefines(
   define(sampling.RefinesImage, "FLATBLOCK_ADAPTIVE_IMAGE");
   define(sampling.IsShaded, "FLATBLOCK_SHADING");
   define(sampling.NeedsGradients(), "FLATBLOCK_GRADIENT");
+  define(sampling.Components == 1 && (sampling.IsShaded || sampling.HasGradientOpacity),
+    "FLATBLOCK_MODULATED");
+  define(sampling.AreIndependent, "FLATBLOCK_INDEPENDENT");
+  if (sampling.Components > 1)
+  {
+    defines += "#define FLATBLOCK_COMPONENTS " + std::to_string(sampling.Components) + "\n";
+  }
   define(sampling.HasGradientTable(), "FLATBLOCK_GRADIENT_TABLE");
   define(sampling.HasGradientOpacity, "FLATBLOCK_GRADIENT_OPACITY");
   define(sampling.Blending.IsExtreme(), "FLATBLOCK_EXTREMES");
   define(sampling.Blending.Mode == BlendMode::Minimum, "FLATBLOCK_MINIMUM");
   define(sampling.Blending.Mode == BlendMode::Average, "FLATBLOCK_AVERAGE");
   define(sampling.HasCounts(), "FLATBLOCK_COUNTING");
+  define(sampling.IsSelection, "FLATBLOCK_SELECTION");
   define(sampling.MostSamples > 0, "FLATBLOCK_SAMPLE_LIMIT");
   define(sampling.RayStart > 0.0, "FLATBLOCK_RAY_START");
   if (sampling.Blending.Mode == BlendMode::Isosurface)
@@ -131,6 +145,7 @@ vtkShaderProgram* ReadyRayCaster(vtkOpenGLRenderWindow* window, const RaySamplin
   insert("//FlatBlock::Classification", GetClassification(sampling));
   insert("//FlatBlock::Shading", sampling.IsShaded ? FlatBlockShadingGLSL : "");
   const bool isMarched = sampling.Blending.Mode != BlendMode::Slice;
+  insert("//FlatBlock::Selection", sampling.IsSelection ? FlatBlockSelectionGLSL : "");
   insert("//FlatBlock::Progress", FlatBlockProgressGLSL);
   insert("//FlatBlock::Gathering", GetGathering(sampling.Blending));
   insert("//FlatBlock::March", isMarched ? FlatBlockMarchGLSL : "");

@@ -8,9 +8,11 @@
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -101,26 +103,37 @@ void SetScalars(vtkFlatBlockDataMapper& mapper, VolumeInput& input)
   }
 }
 
-void SetComponent(vtkFlatBlockDataMapper& mapper, VolumeInput& input)
+Components GetComponents(
+  vtkFlatBlockDataMapper& mapper, vtkDataArray* scalars, vtkVolumeProperty* property)
 {
-  const char* name = input.Scalars->GetName() ? input.Scalars->GetName() : "";
-  const int components = input.Scalars->GetNumberOfComponents();
-  if (mapper.GetVectorMode() == vtkFlatBlockDataMapper::DISABLED && components != 1)
+  constexpr int MostComponents = 4;
+  const std::string name = scalars->GetName() ? scalars->GetName() : "";
+  const int count = scalars->GetNumberOfComponents();
+  const int mode = mapper.GetVectorMode();
+  if (mode == vtkFlatBlockDataMapper::COMPONENT && mapper.GetVectorComponent() >= count)
   {
-    Refuse("The array '", name, "' has ", components,
-      " components, but one is needed. SetVectorMode() takes one of them, or their magnitude.");
-  }
-  if (mapper.GetVectorMode() == vtkFlatBlockDataMapper::COMPONENT &&
-      mapper.GetVectorComponent() >= components)
-  {
-    Refuse("The array '", name, "' has ", components, " components; VectorComponent is ",
+    Refuse("The array '", name, "' has ", count, " components; VectorComponent is ",
       mapper.GetVectorComponent(), ".");
   }
-  const bool isNorm = mapper.GetVectorMode() == vtkFlatBlockDataMapper::MAGNITUDE && components > 1;
-  input.Component = isNorm ? vtkFlatBlockScalars::Magnitude
-                    : mapper.GetVectorMode() == vtkFlatBlockDataMapper::COMPONENT
-                      ? mapper.GetVectorComponent()
-                      : 0;
+  if (mode != vtkFlatBlockDataMapper::DISABLED || count == 1)
+  {
+    const bool isNorm = mode == vtkFlatBlockDataMapper::MAGNITUDE && count > 1;
+    const bool isOne = mode == vtkFlatBlockDataMapper::COMPONENT;
+    return { { isNorm  ? vtkFlatBlockScalars::Magnitude
+               : isOne ? mapper.GetVectorComponent()
+                       : 0 },
+      false };
+  }
+  const bool areIndependent = property->GetIndependentComponents() != 0;
+  if (count > MostComponents || (!areIndependent && count == 3))
+  {
+    Refuse("The array '", name, "' has ", count, " components; ",
+      areIndependent ? "1 to 4 can be drawn" : "of dependent ones 2 or 4 can be drawn",
+      ". SetVectorMode() takes one of them, or their magnitude.");
+  }
+  Components components = { std::vector<int>(count), areIndependent };
+  std::iota(components.Numbers.begin(), components.Numbers.end(), 0);
+  return components;
 }
 
 void SetGeometry(VolumeInput& input)
@@ -145,13 +158,13 @@ void SetGeometry(VolumeInput& input)
 }
 } // namespace
 
-VolumeInput GetVolumeInput(vtkFlatBlockDataMapper& mapper)
+VolumeInput GetVolumeInput(vtkFlatBlockDataMapper& mapper, vtkVolumeProperty* property)
 {
   VolumeInput input;
   input.Image = GetImage(mapper);
   CheckGeometry(input.Image);
   SetScalars(mapper, input);
-  SetComponent(mapper, input);
+  input.Components = GetComponents(mapper, input.Scalars, property);
   SetGeometry(input);
   return input;
 }

@@ -34,10 +34,28 @@ bool IsOne(vtkPiecewiseFunction* function)
   return isOne;
 }
 
-flatblock::GradientTable MakeOpacity(vtkPiecewiseFunction* function, double span)
+vtkPiecewiseFunction* GetFunction(vtkVolumeProperty* property, int component)
 {
-  flatblock::GradientTable table = { 1, Magnitudes, std::vector<float>(Magnitudes) };
-  function->GetTable(0.0, std::max(ShareOfRange * span, 1e-30), Magnitudes, table.Texels.data());
+  const bool isSet =
+    property->HasGradientOpacity(component) && !property->GetDisableGradientOpacity(component);
+  return isSet ? property->GetGradientOpacity(component) : nullptr;
+}
+
+// A column a component.
+flatblock::GradientTable MakeOpacity(
+  vtkVolumeProperty* property, const std::vector<double>& spans, bool isForEach)
+{
+  flatblock::GradientTable table = { static_cast<int>(spans.size()), Magnitudes,
+    std::vector<float>(spans.size() * Magnitudes, 1.0F) };
+  for (std::size_t i = 0; i < spans.size(); ++i)
+  {
+    vtkPiecewiseFunction* function = GetFunction(property, isForEach ? static_cast<int>(i) : 0);
+    if (function)
+    {
+      function->GetTable(0.0, std::max(ShareOfRange * spans[i], 1e-30), Magnitudes,
+        table.Texels.data() + i, static_cast<int>(spans.size()));
+    }
+  }
   if (!std::all_of(
         table.Texels.begin(), table.Texels.end(), [](float share) { return std::isfinite(share); }))
   {
@@ -69,10 +87,15 @@ bool HasTwoDimensions(vtkVolumeProperty* property)
   return property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D;
 }
 
-bool HasGradientOpacity(vtkVolumeProperty* property)
+bool HasGradientOpacity(vtkVolumeProperty* property, int components)
 {
-  return !HasTwoDimensions(property) && property->HasGradientOpacity() &&
-         !property->GetDisableGradientOpacity() && !IsOne(property->GetGradientOpacity());
+  bool isAny = false;
+  for (int i = 0; i < components && !HasTwoDimensions(property); ++i)
+  {
+    vtkPiecewiseFunction* function = GetFunction(property, i);
+    isAny = isAny || (function && !IsOne(function));
+  }
+  return isAny;
 }
 
 std::vector<std::array<float, 4>> GetTwoDimensionalColors(vtkImageData* image)
@@ -102,38 +125,54 @@ std::vector<std::array<float, 4>> GetTwoDimensionalColors(vtkImageData* image)
 }
 } // namespace flatblock
 
-void vtkFlatBlockGradientFunction::Update(
-  vtkVolumeProperty* property, const flatblock::ValueRange& range, double unitOfLength)
+namespace
 {
-  const bool hasColors = flatblock::HasTwoDimensions(property);
-  const bool isUsed = hasColors || flatblock::HasGradientOpacity(property);
+vtkMTimeType GetLastEdit(vtkVolumeProperty* property, int components)
+{
   vtkMTimeType edited = property->GetMTime();
-  if (isUsed)
+  if (flatblock::HasTwoDimensions(property))
   {
-    vtkObject* function = hasColors ? static_cast<vtkObject*>(property->GetTransferFunction2D())
-                                    : static_cast<vtkObject*>(property->GetGradientOpacity());
+    vtkImageData* image = property->GetTransferFunction2D();
+    return std::max(edited, image ? image->GetMTime() : 0);
+  }
+  for (int i = 0; i < components; ++i)
+  {
+    vtkPiecewiseFunction* function = GetFunction(property, i);
     edited = std::max(edited, function ? function->GetMTime() : 0);
   }
-  const double span = range.Highest - range.Lowest;
+  return edited;
+}
+} // namespace
+
+void vtkFlatBlockGradientFunction::Update(vtkVolumeProperty* property,
+  const std::vector<flatblock::ValueRange>& ranges, bool isForEach, double unitOfLength)
+{
+  const int functions = isForEach ? static_cast<int>(ranges.size()) : 1;
+  const vtkMTimeType edited = GetLastEdit(property, functions);
+  std::vector<double> spans(ranges.size());
+  std::transform(ranges.begin(), ranges.end(), spans.begin(),
+    [](const flatblock::ValueRange& range) { return range.Highest - range.Lowest; });
   if (this->BuiltProperty == property && this->BuiltTime == edited &&
-      this->BuiltUnit == unitOfLength && this->BuiltSpan == span)
+      this->BuiltUnit == unitOfLength && this->BuiltSpans == spans &&
+      this->BuiltForEach == isForEach)
   {
     return;
   }
   this->Table = {};
-  if (hasColors)
+  if (flatblock::HasTwoDimensions(property))
   {
     this->Table = MakeColors(
       property->GetTransferFunction2D(), property->GetScalarOpacityUnitDistance() / unitOfLength);
   }
-  else if (isUsed)
+  else if (flatblock::HasGradientOpacity(property, functions))
   {
-    this->Table = MakeOpacity(property->GetGradientOpacity(), span);
+    this->Table = MakeOpacity(property, spans, isForEach);
   }
   this->BuiltProperty = property;
   this->BuiltTime = edited;
   this->BuiltUnit = unitOfLength;
-  this->BuiltSpan = span;
+  this->BuiltSpans = spans;
+  this->BuiltForEach = isForEach;
   this->Modified();
 }
 

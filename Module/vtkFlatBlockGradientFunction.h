@@ -20,8 +20,9 @@ class vtkVolumeProperty;
 
 namespace flatblock
 {
-/// Whether opacity depends on gradients; and whether colours do, too.
-bool HasGradientOpacity(vtkVolumeProperty* property);
+/// Whether opacity of one of the first components depends on gradients; and whether colours do,
+/// too.
+bool HasGradientOpacity(vtkVolumeProperty* property, int components = 1);
 bool HasTwoDimensions(vtkVolumeProperty* property);
 
 /// Red, green, blue and opacity of a 2D function, x fastest: from 0 to 1, which unsigned char are
@@ -38,10 +39,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * @param unitOfLength  of extinctions
+   * @param ranges        of all components
+   * @param isForEach      whether each component has its own function, or all have the first one
+   * @param unitOfLength   of extinctions
    * @throws std::runtime_error where the 2D function is none that can be drawn
    */
-  void Update(vtkVolumeProperty* property, const flatblock::ValueRange& range, double unitOfLength);
+  void Update(vtkVolumeProperty* property, const std::vector<flatblock::ValueRange>& ranges,
+    bool isForEach, double unitOfLength);
 
   const flatblock::GradientTable& GetTable() const { return this->Table; }
 
@@ -58,7 +62,8 @@ private:
   vtkVolumeProperty* BuiltProperty = nullptr; // only compared with
   vtkMTimeType BuiltTime = 0;
   double BuiltUnit = 0.0;
-  double BuiltSpan = 0.0;
+  std::vector<double> BuiltSpans;
+  bool BuiltForEach = false;
 };
 
 #endif

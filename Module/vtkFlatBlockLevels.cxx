@@ -11,7 +11,7 @@ namespace
 {
 vtkTypeInt64 GetBytesPerTexel(const flatblock::BrickSource& source)
 {
-  return static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(source.GetEncoding().Format));
+  return static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(source.GetEncoding()));
 }
 
 vtkTypeInt64 CountVisible(const std::vector<std::uint8_t>& visible)

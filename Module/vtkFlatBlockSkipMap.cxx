@@ -36,6 +36,21 @@ std::vector<flatblock::SkipMap::Kind> Classify(const std::vector<flatblock::Cell
   }
   return kinds;
 }
+
+// What is transparent in one may be seen in another.
+void Combine(
+  std::vector<flatblock::SkipMap::Kind>&& kinds, std::vector<flatblock::SkipMap::Kind>& all)
+{
+  if (all.empty())
+  {
+    all = std::move(kinds);
+    return;
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    all[i] = all[i] == kinds[i] ? all[i] : flatblock::SkipMap::Kind::Varying;
+  }
+}
 } // namespace
 
 vtkTypeInt64 vtkFlatBlockSkipMap::GetBytes(const flatblock::BlockGrid& grid, int cells)
@@ -59,23 +74,32 @@ int vtkFlatBlockSkipMap::ChooseCells(
   return 0;
 }
 
-void vtkFlatBlockSkipMap::Update(vtkFlatBlockBuilder* builder,
-  vtkFlatBlockTransferFunction* function, const std::vector<std::uint8_t>& visible,
-  const Settings& settings)
+void vtkFlatBlockSkipMap::Update(const std::vector<Part>& parts,
+  const std::vector<std::uint8_t>& visible, const Settings& settings)
 {
-  if (std::max(builder->GetMTime(), function->GetMTime()) < this->GetMTime() &&
-      this->Used == settings)
+  vtkMTimeType edited = 0;
+  for (const Part& part : parts)
+  {
+    edited = std::max({ edited, part.Builder->GetMTime(), part.Function->GetMTime() });
+  }
+  if (edited < this->GetMTime() && this->UsedParts == parts && this->Used == settings)
   {
     return;
   }
+  vtkFlatBlockBuilder* builder = parts.front().Builder;
   const int cells = settings.Cells;
   const flatblock::Coarsening coarsening = { std::max(1, (1 << settings.Coarsest) / cells),
     settings.IsFiltered && settings.Coarsest > 0 };
   const flatblock::BlockGrid& blocks = builder->GetSource().GetGrid();
   const flatblock::CubeGrid grid = { CountCubes(blocks, cells), blocks.GetBlocks(),
     blocks.GetCellsPerBlock() / cells };
-  std::vector<flatblock::SkipMap::Kind> kinds =
-    Classify(builder->GetCellRanges(cells), builder->GetCellScale(), function->GetDecisiveValues());
+  std::vector<flatblock::SkipMap::Kind> kinds;
+  for (const Part& part : parts)
+  {
+    Combine(Classify(part.Builder->GetCellRanges(cells), part.Builder->GetCellScale(),
+              part.Function->GetDecisiveValues()),
+      kinds);
+  }
   if (!settings.LeapsMatter)
   {
     std::replace(kinds.begin(), kinds.end(), flatblock::SkipMap::Kind::Constant,
@@ -85,6 +109,7 @@ void vtkFlatBlockSkipMap::Update(vtkFlatBlockBuilder* builder,
   this->UpdateReach(builder, settings, grid, coarsening);
   this->Map = flatblock::BuildSkipMap(grid, kinds, visible, this->Reach);
   this->Used = settings;
+  this->UsedParts = parts;
   this->Modified();
 }
 

@@ -47,10 +47,26 @@ public:
   };
 
   /**
+   * A component that may be seen.
+   */
+  struct Part
+  {
+    vtkFlatBlockBuilder* Builder;
+    vtkFlatBlockTransferFunction* Function;
+
+    bool operator==(const Part& other) const
+    {
+      return this->Builder == other.Builder && this->Function == other.Function;
+    }
+  };
+
+  /**
+   * @param parts    of one grid, with settings that make no leaps over matter where they are
+   * several
    * @param visible  of all blocks, 0: it has no brick; follows from the two before
    */
-  void Update(vtkFlatBlockBuilder* builder, vtkFlatBlockTransferFunction* function,
-    const std::vector<std::uint8_t>& visible, const Settings& settings);
+  void Update(const std::vector<Part>& parts, const std::vector<std::uint8_t>& visible,
+    const Settings& settings);
 
   const flatblock::SkipMap& Get() const { return this->Map; }
 
@@ -66,6 +82,7 @@ private:
     const flatblock::CubeGrid& grid, const flatblock::Coarsening& coarsening);
 
   flatblock::SkipMap Map;
+  std::vector<Part> UsedParts; // only compared with
   Settings Used;
   std::vector<std::uint8_t> Reach; // of cubes, within the tolerance
   Settings ReachUsed;

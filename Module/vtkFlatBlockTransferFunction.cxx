@@ -20,17 +20,18 @@ constexpr int FewestEntries = 1024;
 constexpr int EntriesPerEstimate = 4; // VTK's estimate has one entry between the closest nodes
 constexpr int MostEntries = 8192;     // the width that every driver with OpenGL 3.2 takes
 
-vtkMTimeType GetLastEdit(vtkVolumeProperty* property)
+vtkMTimeType GetLastEdit(vtkVolumeProperty* property, int component)
 {
   if (flatblock::HasTwoDimensions(property))
   {
-    vtkImageData* function = property->GetTransferFunction2D();
+    vtkImageData* function = property->GetTransferFunction2D(component);
     return std::max(property->GetMTime(), function ? function->GetMTime() : 0);
   }
-  const vtkMTimeType color = property->GetColorChannels() == 1
-                               ? property->GetGrayTransferFunction()->GetMTime()
-                               : property->GetRGBTransferFunction()->GetMTime();
-  return std::max({ property->GetMTime(), color, property->GetScalarOpacity()->GetMTime() });
+  const vtkMTimeType color = property->GetColorChannels(component) == 1
+                               ? property->GetGrayTransferFunction(component)->GetMTime()
+                               : property->GetRGBTransferFunction(component)->GetMTime();
+  return std::max(
+    { property->GetMTime(), color, property->GetScalarOpacity(component)->GetMTime() });
 }
 
 template <typename Function>
@@ -65,21 +66,21 @@ bool BecomesOpaque(vtkPiecewiseFunction* opacity, const flatblock::ValueRange& r
 }
 
 // Fine enough for the closest pair of nodes, with an entry at every integer where there is room.
-int CountEntries(vtkVolumeProperty* property, const flatblock::ValueRange& range)
+int CountEntries(vtkVolumeProperty* property, int component, const flatblock::ValueRange& range)
 {
   if (flatblock::HasTwoDimensions(property))
   {
-    return property->GetTransferFunction2D()->GetDimensions()[0];
+    return property->GetTransferFunction2D(component)->GetDimensions()[0];
   }
   const double span = range.Highest - range.Lowest;
   if (span <= 0.0)
   {
     return 2;
   }
-  int wanted = EstimateEntries(property->GetScalarOpacity(), range);
-  if (property->GetColorChannels() != 1)
+  int wanted = EstimateEntries(property->GetScalarOpacity(component), range);
+  if (property->GetColorChannels(component) != 1)
   {
-    wanted = std::max(wanted, EstimateEntries(property->GetRGBTransferFunction(), range));
+    wanted = std::max(wanted, EstimateEntries(property->GetRGBTransferFunction(component), range));
   }
   if (span == std::floor(span) && span < MostEntries)
   {
@@ -87,7 +88,7 @@ int CountEntries(vtkVolumeProperty* property, const flatblock::ValueRange& range
     const int repeats = std::max(1, std::min((wanted - 2) / steps + 1, (MostEntries - 1) / steps));
     return steps * repeats + 1;
   }
-  return BecomesOpaque(property->GetScalarOpacity(), range) ? MostEntries : wanted;
+  return BecomesOpaque(property->GetScalarOpacity(component), range) ? MostEntries : wanted;
 }
 
 // vtkColorTransferFunction::GetTable() leaves the entry that falls on the first node black where
@@ -115,12 +116,12 @@ void RepairFirstNode(vtkColorTransferFunction* function, const flatblock::ValueR
 }
 
 std::vector<float> SampleColors(
-  vtkVolumeProperty* property, const flatblock::ValueRange& range, int count)
+  vtkVolumeProperty* property, int component, const flatblock::ValueRange& range, int count)
 {
   std::vector<float> colors(3 * static_cast<std::size_t>(count));
-  if (property->GetColorChannels() == 1)
+  if (property->GetColorChannels(component) == 1)
   {
-    property->GetGrayTransferFunction()->GetTable(
+    property->GetGrayTransferFunction(component)->GetTable(
       range.Lowest, range.Highest, count, colors.data(), 3);
     for (std::size_t i = 0; i < colors.size(); i += 3)
     {
@@ -129,7 +130,7 @@ std::vector<float> SampleColors(
   }
   else
   {
-    vtkColorTransferFunction* function = property->GetRGBTransferFunction();
+    vtkColorTransferFunction* function = property->GetRGBTransferFunction(component);
     function->GetTable(range.Lowest, range.Highest, count, colors.data());
     RepairFirstNode(function, range, count, colors);
   }
@@ -164,14 +165,15 @@ SampledFunctions SampleTwoDimensions(vtkImageData* function, int count)
 }
 
 SampledFunctions SampleFunctions(
-  vtkVolumeProperty* property, const flatblock::ValueRange& range, int count)
+  vtkVolumeProperty* property, int component, const flatblock::ValueRange& range, int count)
 {
   if (flatblock::HasTwoDimensions(property))
   {
-    return SampleTwoDimensions(property->GetTransferFunction2D(), count);
+    return SampleTwoDimensions(property->GetTransferFunction2D(component), count);
   }
-  SampledFunctions samples = { SampleColors(property, range, count), std::vector<double>(count) };
-  property->GetScalarOpacity()->GetTable(
+  SampledFunctions samples = { SampleColors(property, component, range, count),
+    std::vector<double>(count) };
+  property->GetScalarOpacity(component)->GetTable(
     range.Lowest, range.Highest, count, samples.Opacities.data());
   return samples;
 }
@@ -191,40 +193,41 @@ void CheckNodes(Function* function, const char* name)
   }
 }
 
-void CheckNodes(vtkVolumeProperty* property)
+void CheckNodes(vtkVolumeProperty* property, int component)
 {
   if (flatblock::HasTwoDimensions(property))
   {
-    flatblock::GetTwoDimensionalColors(property->GetTransferFunction2D());
+    flatblock::GetTwoDimensionalColors(property->GetTransferFunction2D(component));
     return;
   }
-  CheckNodes<4>(property->GetScalarOpacity(), "opacity");
-  if (property->GetColorChannels() == 1)
+  CheckNodes<4>(property->GetScalarOpacity(component), "opacity");
+  if (property->GetColorChannels(component) == 1)
   {
-    CheckNodes<4>(property->GetGrayTransferFunction(), "gray");
+    CheckNodes<4>(property->GetGrayTransferFunction(component), "gray");
   }
   else
   {
-    CheckNodes<6>(property->GetRGBTransferFunction(), "color");
+    CheckNodes<6>(property->GetRGBTransferFunction(component), "color");
   }
 }
 } // namespace
 
-bool vtkFlatBlockTransferFunction::Update(vtkVolumeProperty* property,
+bool vtkFlatBlockTransferFunction::Update(vtkVolumeProperty* property, int component,
   const flatblock::ValueRange& range, double unitOfLength, const flatblock::Blending& blending)
 {
-  const vtkMTimeType edited = GetLastEdit(property);
-  if (this->BuiltProperty == property && this->BuiltTime == edited &&
-      this->BuiltUnit == unitOfLength && this->BuiltBlending == blending &&
-      this->Table.GetLowest() == range.Lowest && this->Table.GetHighest() == range.Highest)
+  const vtkMTimeType edited = GetLastEdit(property, component);
+  if (this->BuiltProperty == property && this->BuiltComponent == component &&
+      this->BuiltTime == edited && this->BuiltUnit == unitOfLength &&
+      this->BuiltBlending == blending && this->Table.GetLowest() == range.Lowest &&
+      this->Table.GetHighest() == range.Highest)
   {
     return false;
   }
-  CheckNodes(property);
-  const int count = CountEntries(property, range);
-  const auto [colors, opacities] = SampleFunctions(property, range, count);
+  CheckNodes(property, component);
+  const int count = CountEntries(property, component, range);
+  const auto [colors, opacities] = SampleFunctions(property, component, range, count);
   const double distance =
-    blending.IsComposite() ? property->GetScalarOpacityUnitDistance() / unitOfLength : 1.0;
+    blending.IsComposite() ? property->GetScalarOpacityUnitDistance(component) / unitOfLength : 1.0;
   std::vector<flatblock::TransferTable::Entry> entries(count);
   for (int i = 0; i < count; ++i)
   {
@@ -235,6 +238,7 @@ bool vtkFlatBlockTransferFunction::Update(vtkVolumeProperty* property,
   this->DecisiveValues = flatblock::GetDecisiveValues(this->Table, blending);
   this->BuiltBlending = blending;
   this->BuiltProperty = property;
+  this->BuiltComponent = component;
   this->BuiltTime = edited;
   this->BuiltUnit = unitOfLength;
   this->Modified();
@@ -242,20 +246,21 @@ bool vtkFlatBlockTransferFunction::Update(vtkVolumeProperty* property,
 }
 
 void vtkFlatBlockTransferFunction::UpdateClassified(
-  vtkVolumeProperty* property, const flatblock::ValueRange& range, bool everyInteger)
+  vtkVolumeProperty* property, int component, const flatblock::ValueRange& range, bool everyInteger)
 {
   constexpr int EntriesOfReals = 4096;
   const double span = range.Highest - range.Lowest;
   const int count = everyInteger ? static_cast<int>(span) + 1 : (span > 0.0 ? EntriesOfReals : 1);
-  const vtkMTimeType edited = GetLastEdit(property);
-  if (this->ClassifiedProperty == property && this->ClassifiedEdit == edited &&
+  const vtkMTimeType edited = GetLastEdit(property, component);
+  if (this->ClassifiedProperty == property && this->ClassifiedComponent == component &&
+      this->ClassifiedEdit == edited &&
       this->Classified.GetColors().size() == static_cast<std::size_t>(count) &&
       this->Classified.GetLowest() == range.Lowest &&
       this->Classified.GetHighest() == range.Highest)
   {
     return;
   }
-  const auto [colors, opacities] = SampleFunctions(property, range, count);
+  const auto [colors, opacities] = SampleFunctions(property, component, range, count);
   std::vector<flatblock::ClassifiedColor> classified(count);
   for (int i = 0; i < count; ++i)
   {
@@ -264,6 +269,7 @@ void vtkFlatBlockTransferFunction::UpdateClassified(
   }
   this->Classified = flatblock::ClassifiedTable(range.Lowest, range.Highest, std::move(classified));
   this->ClassifiedProperty = property;
+  this->ClassifiedComponent = component;
   this->ClassifiedEdit = edited;
   this->ClassifiedTime.Modified();
 }

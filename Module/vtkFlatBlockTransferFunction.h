@@ -25,22 +25,22 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Samples colour and scalar opacity of the first component over `range`, as the extinction of
+   * Samples colour and scalar opacity of a component over `range`, as the extinction of
    * `unitOfLength`; where blending is not composite, as that of the length 1. Has entries at every
    * integer of ranges up to 8191, and as many as the nodes of the functions ask for, from 1024 to
    * 8192.
    * @return whether the table was built anew
    * @throws std::runtime_error where a node of the functions is not a number
    */
-  bool Update(vtkVolumeProperty* property, const flatblock::ValueRange& range, double unitOfLength,
-    const flatblock::Blending& blending);
+  bool Update(vtkVolumeProperty* property, int component, const flatblock::ValueRange& range,
+    double unitOfLength, const flatblock::Blending& blending);
 
   /**
    * Samples the same as people see it, with the opacity of the unit distance: so it does not depend
    * on the step. With an entry for every integer of the range, or else with 4096.
    */
-  void UpdateClassified(
-    vtkVolumeProperty* property, const flatblock::ValueRange& range, bool everyInteger);
+  void UpdateClassified(vtkVolumeProperty* property, int component,
+    const flatblock::ValueRange& range, bool everyInteger);
 
   const flatblock::ClassifiedTable& GetClassifiedTable() const { return this->Classified; }
   vtkMTimeType GetClassifiedTime() const { return this->ClassifiedTime.GetMTime(); }
@@ -64,6 +64,7 @@ private:
   flatblock::TransferTable DecisiveValues;
 
   vtkVolumeProperty* BuiltProperty = nullptr; // only compared with
+  int BuiltComponent = 0;
   vtkMTimeType BuiltTime = 0;
   double BuiltUnit = 0.0;
   flatblock::Blending BuiltBlending;
@@ -72,6 +73,7 @@ private:
   vtkTimeStamp ClassifiedTime;
   vtkMTimeType ClassifiedEdit = 0;
   vtkVolumeProperty* ClassifiedProperty = nullptr; // only compared with
+  int ClassifiedComponent = 0;
 };
 
 #endif

@@ -52,10 +52,7 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   in.Statistics.UploadedBytes = 0;
   in.Statistics.MovedBytes = 0;
   in.Memory.ResetPeak();
-  if (renderer->GetSelector())
-  {
-    return; // a volume's colours are no ids of props or cells
-  }
+  const flatblock::SelectorGuard guard(renderer->GetSelector());
   try
   {
     this->DrawFrame(renderer, volume);

@@ -11,21 +11,8 @@
  * 2^l along each axis. Blocks near the point of interest are refined first, those out of view last.
  * A still picture depends on what is set, to the last bit, and not on what was drawn before.
  *
- * From vtkVolumeProperty: colour, scalar opacity, ScalarOpacityUnitDistance, interpolation (linear
- * or nearest). Shading by the lights of the renderer with the property's material. All blend modes
- * of vtkVolumeMapper: maximum and minimum show the colour and the opacity that the functions give
- * to that value; an average is that of values times their opacity, over the parts of a ray within
- * AverageIPScalarRange; the additive sum is the same over ScalarOpacityUnitDistance, both for
- * values from 0 to 1 over the data's range and drawn as grays. Isosurfaces, those of the property's
- * GetIsoSurfaceValues(), have the colour and the opacity of their value. The slice is that of a
- * vtkPlane in world coordinates, in the property's SetSliceFunction(). Clipping planes and cropping
- * cut rays where they lie. Hardware selection passes through the volume.
- *
- * With composite blending, gradient opacity and 2D transfer functions are measured as
- * vtkGPUVolumeRayCastMapper does: the magnitude of the gradient times the mean spacing, where what
- * is beyond a quarter of the data's range counts as that. Rows of a 2D function go from 0 to there,
- * columns over the data's range; its opacity is that of ScalarOpacityUnitDistance. Other blend modes
- * take of a 2D function what is the most opaque with a value.
+ * Hardware selection (vtkHardwareSelector) gives the prop, and the cell or the point where a ray
+ * has gathered an opacity of 3/255.
  *
  * What cannot be drawn gives one error, and nothing is drawn until it is set right.
  *

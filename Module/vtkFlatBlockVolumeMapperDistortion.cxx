@@ -27,8 +27,8 @@ bool vtkFlatBlockVolumeMapper::UsesCuda()
 void vtkFlatBlockVolumeMapper::vtkInternals::UpdateClassified()
 {
   flatblock::StageTimer timer(this->Statistics.DistortionMilliseconds);
-  this->TransferFunction->UpdateClassified(
-    this->Property, this->Builder->GetRange(), this->Builder->HasIntegers());
+  this->TransferFunction->UpdateClassified(this->Property, this->AreIndependent ? this->Lead : 0,
+    this->Builder->GetRange(), this->Builder->HasIntegers());
 }
 
 void vtkFlatBlockVolumeMapper::vtkInternals::UpdateTransmittance(const flatblock::VolumeView& view)
@@ -55,8 +55,8 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateTransmittance(const flatblock
   const flatblock::VolumeView& last = this->TransmittanceView;
   if (isNewTable || !(view.Camera == last.Camera) || view.DataSetSpacing != last.DataSetSpacing)
   {
-    this->Transmittance = flatblock::ComputeTransmittance(this->Builder->GetSource().GetGrid(),
-      this->LeastExtinction, view.DataSetSpacing, view.Camera);
+    this->Transmittance = flatblock::ComputeTransmittance(
+      this->GetSource().GetGrid(), this->LeastExtinction, view.DataSetSpacing, view.Camera);
     this->TransmittanceView = view;
     this->TransmittanceTime.Modified();
   }
@@ -67,7 +67,7 @@ void vtkFlatBlockVolumeMapper::UpdateDistortion(vtkTypeInt64 mostBlocks)
   vtkInternals& in = *this->Internals;
   in.UpdateClassified();
   flatblock::StageTimer timer(in.Statistics.DistortionMilliseconds);
-  const flatblock::BrickSource& source = in.Builder->GetSource();
+  const flatblock::BrickSource& source = in.GetSource();
   const int levels =
     std::clamp(this->NumberOfLevels - 1, 1, source.GetGrid().GetNumberOfLevels() - 1);
   in.Distortion->SetTable(in.Builder, in.TransferFunction->GetClassifiedTable(),

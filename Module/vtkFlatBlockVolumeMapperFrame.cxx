@@ -34,7 +34,17 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
     throw std::runtime_error("The volume has no vtkVolumeProperty.");
   }
   in.Property = volume->GetProperty();
-  in.Input = flatblock::GetVolumeInput(*this);
+  in.Input = flatblock::GetVolumeInput(*this, in.Property);
+  in.Selection.reset();
+  if (renderer->GetSelector())
+  {
+    in.Selection = flatblock::GetSelection(renderer, in.Input);
+    if (!in.Selection)
+    {
+      return;
+    }
+  }
+  in.SetChannels(in.Input.Components, in.Property);
   this->AdjustSampling(renderer, volume);
   in.Statistics = flatblock::FrameStatistics{ 0, 0, in.Statistics.FramesSinceChange + 1 };
   this->UpdateBlocks();
@@ -46,8 +56,9 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   vtkFlatBlockSkipMap::Settings settings;
   settings.IsFiltered = this->LevelFilter == TENT;
   const bool isComposite = in.Sampling.Blending.IsComposite();
-  settings.LeapsMatter = this->HomogeneousLeaps && !in.Sampling.NeedsGradients() && isComposite;
-  settings.Tolerance = isComposite ? this->VariationTolerance : 0.0;
+  settings.LeapsMatter = this->HomogeneousLeaps && !in.Sampling.NeedsGradients() && isComposite &&
+                         in.Channels.size() == 1;
+  settings.Tolerance = isComposite && in.Channels.size() == 1 ? this->VariationTolerance : 0.0;
   in.UpdateSkipMap(settings);
   in.UpdateBrickRanges();
   in.UpdateGradientTable();
@@ -80,16 +91,17 @@ void vtkFlatBlockVolumeMapper::CastRays(vtkRenderer* renderer, vtkVolume* volume
 {
   vtkInternals& in = *this->Internals;
   vtkOpenGLFlatBlockRayCaster::Scene scene;
-  scene.Source = &in.Builder->GetSource();
+  scene.Source = &in.GetSource();
+  scene.Tables = in.GetTables();
   scene.Atlas = in.Atlas;
   scene.SampleToDataSet = in.Input.SampleToDataSet;
   scene.DataSetToWorld = volume->GetMatrix();
   scene.Material = in.Property;
-  scene.Table = &in.TransferFunction->GetTable();
   scene.LinearInterpolation =
     volume->GetProperty()->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
-  scene.HasHoles = in.Builder->GetNumberOfNonFiniteSamples() > 0;
+  scene.HasHoles = in.CountHoles() > 0;
   scene.Sampling = in.Sampling;
+  scene.Selection = in.Selection;
   scene.Clipping = flatblock::GetClipping(volume, this, in.Input);
   vtkOpenGLRenderTimer timer;
   this->GPUMilliseconds = -1.0;
@@ -119,13 +131,12 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
 {
   vtkInternals& in = *this->Internals;
   flatblock::StageTimer timer(in.Statistics.RangeMilliseconds);
-  in.Scalars->Update(in.Input, in.Input.Component);
   vtkFlatBlockBuilder::Bricks bricks;
   bricks.Filter =
     this->LevelFilter == TENT ? flatblock::LevelFilter::Tent : flatblock::LevelFilter::Subsample;
-  bricks.Bits = this->AtlasPrecision;
+  bricks.Bits = in.Channels.size() == 1 ? this->AtlasPrecision : NATIVE;
   bricks.Apron = in.Sampling.GetApron();
-  if (in.Builder->Update(in.Scalars, this->BlockSize, bricks))
+  if (in.UpdateBuilders(this->BlockSize, bricks))
   {
     in.Residency.Clear();
     in.LastAtlasBytes = 0;
@@ -140,20 +151,18 @@ void vtkFlatBlockVolumeMapper::UpdateTransferTable(vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
   flatblock::StageTimer timer(in.Statistics.RangeMilliseconds);
-  in.TransferFunction->Update(
-    volume->GetProperty(), in.Builder->GetRange(), in.Sampling.UnitOfLength, in.Sampling.Blending);
-  in.GradientFunction->Update(
-    volume->GetProperty(), in.Builder->GetRange(), in.Sampling.UnitOfLength);
-  const flatblock::TransferTable& table = in.TransferFunction->GetDecisiveValues();
-  if (std::max(in.TransferFunction->GetMTime(), in.Builder->GetMTime()) > in.VisibleBlocksTime)
+  std::vector<flatblock::ValueRange> ranges;
+  for (std::size_t i = 0; i < in.Channels.size(); ++i)
   {
-    const auto& ranges = in.Builder->GetBlockRanges();
-    in.VisibleBlocks.resize(ranges.size());
-    std::transform(ranges.begin(), ranges.end(), in.VisibleBlocks.begin(),
-      [&table](const flatblock::ValueRange& range) -> std::uint8_t
-      { return !table.IsTransparent(range.Lowest, range.Highest); });
-    in.VisibleBlocksTime.Modified();
+    const flatblock::Channel& channel = *in.Channels[i];
+    ranges.push_back(channel.Builder->GetRange());
+    channel.TransferFunction->Update(volume->GetProperty(),
+      in.Sampling.AreIndependent ? static_cast<int>(i) : 0, ranges.back(), in.Sampling.UnitOfLength,
+      in.Sampling.Blending);
   }
+  in.GradientFunction->Update(
+    volume->GetProperty(), ranges, in.Sampling.AreIndependent, in.Sampling.UnitOfLength);
+  in.UpdateVisibleBlocks();
 }
 
 vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer) const
@@ -163,7 +172,7 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer
   // Rounded up, so that not each step of a window that is being resized changes the atlas.
   return vtkOpenGLFlatBlockAtlas::GetIndexBytes(this->GetNumberOfBlocks()) +
          flatblock::RoundUp(vtkOpenGLFlatBlockSceneDepth::GetBytes(size[0], size[1])) +
-         vtkOpenGLFlatBlockRayCaster::GetTableBytes(in.TransferFunction->GetTable(), in.Sampling) +
+         vtkOpenGLFlatBlockRayCaster::GetTableBytes(in.GetTables(), in.Sampling) +
          in.GetSkipMapBytes() + in.GetBrickRangeBytes() + in.GetGradientTableBytes() +
          this->GetImageBytes(renderer);
 }
@@ -177,7 +186,7 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
   limits.BytesBesideAtlas = this->GetBytesBesideAtlas(renderer);
   limits.LargestTexture = vtkOpenGLFlatBlockAtlas::GetLargestTexture(in.Window);
   limits.NumberOfLevels = this->NumberOfLevels;
-  const flatblock::BrickSource& source = in.Builder->GetSource();
+  const flatblock::BrickSource& source = in.GetSource();
   const bool isLimited = in.Levels->UpdateShape(source, in.VisibleBlocks, limits);
   auto criterion = vtkFlatBlockLevels::Criterion::Distance;
   in.IsDistortionCurrent = true;
@@ -196,7 +205,8 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
   const flatblock::VolumeView view =
     flatblock::GetVolumeView(renderer, volume, this, in.Input, point);
   const bool isWeighted = isLimited && this->VisibilityWeighting && view.HasPlainCamera &&
-                          in.Sampling.Blending.IsComposite() && !in.Sampling.HasGradientTable();
+                          in.Sampling.Blending.IsComposite() && !in.Sampling.HasGradientTable() &&
+                          in.Channels.size() == 1;
   if (isWeighted)
   {
     in.UpdateClassified();
@@ -218,7 +228,7 @@ flatblock::FramePlan vtkFlatBlockVolumeMapper::vtkInternals::PlanFrame(
   const flatblock::RefinementBudget* budget, bool continuity)
 {
   flatblock::StageTimer timer(this->Statistics.SelectionMilliseconds);
-  const flatblock::BrickSource& source = this->Builder->GetSource();
+  const flatblock::BrickSource& source = this->GetSource();
   const auto borders = continuity ? source.GetContinuity() : flatblock::Continuity::Off;
   const auto plan = [&]
   {
@@ -249,18 +259,17 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
   {
     in.CardLimit = {};
   }
-  const flatblock::TransferTable& table = in.TransferFunction->GetTable();
+  const flatblock::ComponentTables tables = in.GetTables();
   in.RayCaster->ReleaseStale(
-    renderer, table, { in.GetSkipMapBytes(), in.GetGradientTableBytes() }, in.Sampling);
+    renderer, tables, { in.GetSkipMapBytes(), in.GetGradientTableBytes() }, in.Sampling);
   while (!this->TryAtlas(renderer, volume))
   {
     this->ShrinkAtlas();
   }
-  if (!in.RayCaster->HasTransferTable(in.Sampling) ||
-      in.TransferFunction->GetMTime() > in.TransferTextureTime)
+  if (!in.RayCaster->HasTransferTable(in.Sampling) || in.GetFunctionTime() > in.TransferTextureTime)
   {
     flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
-    in.RayCaster->SetTransferTable(in.Window, table, in.Sampling);
+    in.RayCaster->SetTransferTable(in.Window, tables, in.Sampling);
     in.TransferTextureTime.Modified();
   }
 }
@@ -270,12 +279,12 @@ bool vtkFlatBlockVolumeMapper::TryAtlas(vtkRenderer* renderer, vtkVolume* volume
 {
   vtkInternals& in = *this->Internals;
   this->UpdateLevels(renderer, volume);
-  const flatblock::BrickSource& source = in.Builder->GetSource();
+  const flatblock::BrickSource& source = in.GetSource();
   flatblock::RefinementBudget budget;
   budget.Blocks = static_cast<vtkTypeInt64>(
     this->RefinementFraction * static_cast<double>(this->GetNumberOfBlocks()));
-  budget.Texels = this->UploadBytesPerFrame /
-                  static_cast<vtkTypeInt64>(BytesPerTexel(source.GetEncoding().Format));
+  budget.Texels =
+    this->UploadBytesPerFrame / static_cast<vtkTypeInt64>(BytesPerTexel(source.GetEncoding()));
   const flatblock::FramePlan frame = in.PlanFrame(
     flatblock::IsInteractive(renderer) ? &budget : nullptr, this->InterblockContinuity);
 
@@ -301,8 +310,8 @@ void vtkFlatBlockVolumeMapper::ShrinkAtlas()
   vtkInternals& in = *this->Internals;
   const flatblock::AtlasAllocator& atlas = in.Residency.GetAtlas();
   const flatblock::Index3 size = atlas.GetTextureSize();
-  const vtkTypeInt64 bytes = atlas.GetTexels() * static_cast<vtkTypeInt64>(BytesPerTexel(
-                                                   in.Builder->GetSource().GetEncoding().Format));
+  const vtkTypeInt64 bytes =
+    atlas.GetTexels() * static_cast<vtkTypeInt64>(BytesPerTexel(in.GetSource().GetEncoding()));
   const bool isLastWorthwhile = in.LastAtlasBytes < bytes && in.LastAtlasBytes >= bytes / 16;
   const vtkTypeInt64 smaller = isLastWorthwhile ? in.LastAtlasBytes : bytes / 4 * 3;
   const std::string problem = "The graphics card has no memory for an atlas of " +

@@ -1,9 +1,12 @@
 /// What vtkFlatBlockVolumeMapper is made of.
 #pragma once
 
+#include "ComponentTable.h"
+#include "FlatBlockSelection.h"
 #include "FlatBlockVolumeInput.h"
 #include "FlatBlockVolumeView.h"
 #include "FramePlan.h"
+#include "InterleavedBricks.h"
 #include "MemoryCounter.h"
 #include "vtkFlatBlockBuilder.h"
 #include "vtkFlatBlockDistortion.h"
@@ -25,6 +28,8 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +58,15 @@ struct CardLimit
 /// Whether the renderer's window is to be quick: where its desired update rate is 1 or more.
 bool IsInteractive(vtkRenderer* renderer);
 
+/// A component of the data, on its way to bricks and colours.
+struct Channel
+{
+  vtkNew<vtkFlatBlockScalars> Scalars;
+  vtkNew<vtkFlatBlockBuilder> Builder;
+  vtkNew<vtkFlatBlockTransferFunction> TransferFunction;
+  double Weight = 1.0; ///< in the picture
+};
+
 /// Adds the time until it goes out of scope.
 class StageTimer
 {
@@ -80,7 +94,17 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   {
     this->Atlas->SetMemoryCounter(&this->Memory);
     this->RayCaster->SetMemoryCounter(&this->Memory);
+    this->SetChannels({ {}, false }, nullptr);
   }
+
+  void SetChannels(const flatblock::Components& components, vtkVolumeProperty* property);
+  bool UpdateBuilders(int blockSize, const vtkFlatBlockBuilder::Bricks& bricks);
+  vtkTypeInt64 CountHoles() const;
+  vtkMTimeType GetFunctionTime() const;
+  const flatblock::BrickSource& GetSource() const;
+  flatblock::ComponentTables GetTables() const;
+  bool IsBlockVisible(std::size_t block) const;
+  void UpdateVisibleBlocks();
 
   void UpdateClassified();
   void UpdateTransmittance(const flatblock::VolumeView& view);
@@ -94,12 +118,18 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkTypeInt64 GetGradientTableBytes() const;
   flatblock::FramePlan PlanFrame(const flatblock::RefinementBudget* budget, bool continuity);
 
-  flatblock::MemoryCounter Memory; // outlives those who count in it
-  vtkNew<vtkFlatBlockScalars> Scalars;
-  vtkNew<vtkFlatBlockBuilder> Builder;
-  vtkNew<vtkFlatBlockTransferFunction> TransferFunction;
+  flatblock::MemoryCounter Memory;                           // outlives those who count in it
+  std::vector<std::unique_ptr<flatblock::Channel>> Channels; // at least one
+  bool AreIndependent = false;
+  std::unique_ptr<flatblock::InterleavedBricks> Interleaved; // of several channels
+  int Lead = 0;
+  // Of the channel that opacity comes from; of several, the weightiest.
+  vtkFlatBlockScalars* Scalars = nullptr;
+  vtkFlatBlockBuilder* Builder = nullptr;
+  vtkFlatBlockTransferFunction* TransferFunction = nullptr;
   vtkNew<vtkFlatBlockGradientFunction> GradientFunction;
   std::vector<std::uint8_t> VisibleBlocks;
+  std::vector<double> VisibleWeights; // of channels, that they are visible with
   vtkNew<vtkFlatBlockDistortion> Distortion;
   std::vector<float> LeastExtinction; // of each block
   std::vector<float> Transmittance;   // with which each block is seen at most
@@ -112,7 +142,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the textures
   flatblock::VolumeInput Input;
   flatblock::RaySampling Sampling; // of this frame
-  double InteractiveFactor = 1.0;  // by which interactive frames lengthen their distances
+  std::optional<flatblock::Selection> Selection;
+  double InteractiveFactor = 1.0; // by which interactive frames lengthen their distances
   vtkTimeStamp VisibleBlocksTime;
   vtkTimeStamp TransferTextureTime;
   vtkTimeStamp GradientTextureTime;

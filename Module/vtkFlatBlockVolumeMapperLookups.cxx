@@ -10,15 +10,15 @@
 vtkTypeInt64 vtkFlatBlockVolumeMapper::vtkInternals::GetBrickRangeBytes() const
 {
   const bool hasRanges =
-    this->Sampling.Blending.IsExtreme() || !this->Builder->GetSource().GetRanges().empty();
+    this->Sampling.Blending.IsExtreme() || !this->GetSource().GetRanges().empty();
   return hasRanges ? vtkOpenGLFlatBlockBrickRanges::GetBytes(
-                       this->Builder->GetSource().GetGrid().GetNumberOfBlocks())
+                       this->GetSource().GetGrid().GetNumberOfBlocks())
                    : 0;
 }
 
 void vtkFlatBlockVolumeMapper::vtkInternals::UpdateBrickRanges()
 {
-  this->Sampling.HasBrickRanges = !this->Builder->GetSource().GetRanges().empty();
+  this->Sampling.HasBrickRanges = !this->GetSource().GetRanges().empty();
   const bool isUsed = this->Sampling.UsesRanges();
   if (this->AreBrickRangesCurrent && this->RayCaster->HasBrickRanges() == isUsed)
   {

@@ -55,9 +55,13 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
 {
   vtkInternals& in = *this->Internals;
   flatblock::RaySampling& sampling = in.Sampling;
-  sampling.Blending = flatblock::GetBlending(this, volume->GetProperty());
+  sampling.Blending =
+    flatblock::GetBlending(this, volume->GetProperty(), static_cast<int>(in.Channels.size()));
   sampling.Method = GetMethod(this->Classification, volume,
-    sampling.Blending.IsComposite() && !flatblock::HasTwoDimensions(volume->GetProperty()));
+    sampling.Blending.IsComposite() && in.Channels.size() == 1 &&
+      !flatblock::HasTwoDimensions(volume->GetProperty()));
+  sampling.Components = static_cast<int>(in.Channels.size());
+  sampling.AreIndependent = in.Input.Components.AreIndependent;
   sampling.UnitOfOpacity = volume->GetProperty()->GetScalarOpacityUnitDistance();
   sampling.UnitOfLength = in.Input.SmallestSpacing;
   // Beyond these nothing changes in the picture, and single precision would overflow.
@@ -75,10 +79,11 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   sampling.Jittering = this->UseJittering;
   sampling.Adaptive = this->AdaptiveSampling;
   sampling.IsShaded = volume->GetProperty()->GetShade() != 0 && sampling.Blending.HasSurfaces();
-  sampling.HasGradientOpacity =
-    flatblock::HasGradientOpacity(volume->GetProperty()) && sampling.Blending.IsComposite();
-  sampling.IsTwoDimensional =
-    flatblock::HasTwoDimensions(volume->GetProperty()) && sampling.Blending.IsComposite();
+  sampling.HasGradientOpacity = flatblock::HasGradientOpacity(volume->GetProperty(),
+                                  sampling.AreIndependent ? sampling.Components : 1) &&
+                                sampling.Blending.IsComposite();
+  sampling.IsTwoDimensional = flatblock::HasTwoDimensions(volume->GetProperty()) &&
+                              sampling.Blending.IsComposite() && sampling.Components == 1;
   sampling.ShadingThreshold = this->ShadingOpacityThreshold;
   sampling.MostSamples = this->MaximumNumberOfSamples;
   sampling.CountsSamples = this->CountSamples;
@@ -88,6 +93,16 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   sampling.RefinesImage =
     this->AdaptiveImageSampling && flatblock::IsInteractive(renderer) && !sampling.HasCounts();
   sampling.PixelsPerRay = sampling.RefinesImage ? 1.0 : sampling.PixelsPerRay;
+  sampling.IsSelection = in.Selection.has_value();
+  if (sampling.IsSelection)
+  {
+    constexpr double Seen = 3.0 / 255.0; // as in the shader
+    sampling.PixelsPerRay = 1.0;
+    sampling.RefinesImage = false;
+    sampling.CountsSamples = false;
+    sampling.MostSamples = 0;
+    sampling.EnoughOpacity = std::min(sampling.EnoughOpacity, Seen);
+  }
 }
 
 // Of the image of rays; where interactive frames may have one, it is kept free for it, so that the
@@ -138,8 +153,8 @@ void vtkFlatBlockVolumeMapper::WarnAboutSamples()
       " The sample distance is longer than the volume: rays take a sample where they enter "
       "it and one where they leave.";
   }
-  const vtkTypeInt64 holes =
-    in.Builder->GetNumberOfNonFiniteSamples() - in.Scalars->GetNumberOfBlanked();
+  const vtkTypeInt64 holes = in.CountHoles() - in.Scalars->GetNumberOfBlanked() *
+                                                 static_cast<vtkTypeInt64>(in.Channels.size());
   if (holes > 0)
   {
     warning +=

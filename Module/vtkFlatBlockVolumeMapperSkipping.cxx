@@ -8,8 +8,7 @@
 vtkTypeInt64 vtkFlatBlockVolumeMapper::vtkInternals::GetSkipMapBytes() const
 {
   return this->Sampling.CellsPerCube > 0
-           ? vtkFlatBlockSkipMap::GetBytes(
-               this->Builder->GetSource().GetGrid(), this->Sampling.CellsPerCube)
+           ? vtkFlatBlockSkipMap::GetBytes(this->GetSource().GetGrid(), this->Sampling.CellsPerCube)
            : 0;
 }
 
@@ -17,7 +16,7 @@ void vtkFlatBlockVolumeMapper::vtkInternals::ChooseCubes(int skipping, vtkTypeIn
 {
   constexpr int FewestCells = 4;
   constexpr vtkTypeInt64 ShareOfMemory = 64;
-  const flatblock::BlockGrid& grid = this->Builder->GetSource().GetGrid();
+  const flatblock::BlockGrid& grid = this->GetSource().GetGrid();
   const int fewest =
     skipping == vtkFlatBlockVolumeMapper::SKIP_CELLS ? FewestCells : grid.GetCellsPerBlock();
   this->Sampling.CellsPerCube =
@@ -39,7 +38,15 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateSkipMap(vtkFlatBlockSkipMap::
     const int coarsest = levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());
     settings.Cells = this->Sampling.CellsPerCube;
     settings.Coarsest = std::max(coarsest, 0);
-    this->SkipMap->Update(this->Builder, this->TransferFunction, this->VisibleBlocks, settings);
+    std::vector<vtkFlatBlockSkipMap::Part> parts;
+    for (const auto& channel : this->Channels)
+    {
+      if (this->Sampling.AreIndependent ? channel->Weight > 0.0 : channel->Builder == this->Builder)
+      {
+        parts.push_back({ channel->Builder, channel->TransferFunction });
+      }
+    }
+    this->SkipMap->Update(parts, this->VisibleBlocks, settings);
   }
   if (!this->RayCaster->HasSkipMap() || this->SkipMap->GetMTime() > this->SkipTextureTime)
   {

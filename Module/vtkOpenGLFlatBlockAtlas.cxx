@@ -26,19 +26,25 @@ struct GLFormat
 {
   int VtkType;
   unsigned int Internal;
+  unsigned int Format;
   unsigned int Type;
 };
 
-GLFormat GetGLFormat(flatblock::TexelFormat format)
+GLFormat GetGLFormat(const flatblock::TexelEncoding& encoding)
 {
-  switch (format)
+  const int i = encoding.Components == 1 ? 0 : (encoding.Components == 2 ? 1 : 2);
+  constexpr unsigned int Formats[] = { GL_RED, GL_RG, GL_RGBA };
+  constexpr unsigned int Bytes[] = { GL_R8, GL_RG8, GL_RGBA8 };
+  constexpr unsigned int Shorts[] = { GL_R16, GL_RG16, GL_RGBA16 };
+  constexpr unsigned int Floats[] = { GL_R32F, GL_RG32F, GL_RGBA32F };
+  switch (encoding.Format)
   {
   case flatblock::TexelFormat::Unsigned8:
-    return { VTK_UNSIGNED_CHAR, GL_R8, GL_UNSIGNED_BYTE };
+    return { VTK_UNSIGNED_CHAR, Bytes[i], Formats[i], GL_UNSIGNED_BYTE };
   case flatblock::TexelFormat::Unsigned16:
-    return { VTK_UNSIGNED_SHORT, GL_R16, GL_UNSIGNED_SHORT };
+    return { VTK_UNSIGNED_SHORT, Shorts[i], Formats[i], GL_UNSIGNED_SHORT };
   default:
-    return { VTK_FLOAT, GL_R32F, GL_FLOAT };
+    return { VTK_FLOAT, Floats[i], Formats[i], GL_FLOAT };
   }
 }
 
@@ -47,7 +53,7 @@ GLFormat GetGLFormat(flatblock::TexelFormat format)
 bool CanAllocate(const flatblock::Index3& size, const GLFormat& format)
 {
   glTexImage3D(GL_PROXY_TEXTURE_3D, 0, static_cast<int>(format.Internal), size[0], size[1], size[2],
-    0, GL_RED, format.Type, nullptr);
+    0, format.Format, format.Type, nullptr);
   int depth = 0;
   glGetTexLevelParameteriv(GL_PROXY_TEXTURE_3D, 0, GL_TEXTURE_DEPTH, &depth);
   return depth == size[2];
@@ -93,15 +99,14 @@ bool vtkOpenGLFlatBlockAtlas::Execute(vtkOpenGLRenderWindow* window,
   this->UploadedBytes = 0;
   this->MovedBytes = 0;
   const flatblock::AtlasAllocator& places = residency.GetAtlas();
-  if ((plan.NewAtlas &&
-        !this->Allocate(window, places.GetTextureSize(), source.GetEncoding().Format)) ||
+  if ((plan.NewAtlas && !this->Allocate(window, places.GetTextureSize(), source.GetEncoding())) ||
       (plan.NewPlaces && !this->WriteIndex(window, residency, source.GetGrid().GetApron())))
   {
     this->ReleaseGraphicsResources(window);
     return false;
   }
   flatblock::ClearGLErrors();
-  this->Move(plan.Moves, source.GetEncoding().Format);
+  this->Move(plan.Moves, source.GetEncoding());
   this->Upload(plan.Uploads, places, source);
   if (glGetError() == GL_OUT_OF_MEMORY) // of drivers that allocate what is touched
   {
@@ -111,33 +116,33 @@ bool vtkOpenGLFlatBlockAtlas::Execute(vtkOpenGLRenderWindow* window,
   return true;
 }
 
-bool vtkOpenGLFlatBlockAtlas::Allocate(
-  vtkOpenGLRenderWindow* window, const flatblock::Index3& size, flatblock::TexelFormat format)
+bool vtkOpenGLFlatBlockAtlas::Allocate(vtkOpenGLRenderWindow* window, const flatblock::Index3& size,
+  const flatblock::TexelEncoding& texels)
 {
   this->ReleaseGraphicsResources(window);
-  const GLFormat gl = GetGLFormat(format);
+  const GLFormat gl = GetGLFormat(texels);
   this->Bricks->SetContext(window);
   this->Bricks->SetInternalFormat(gl.Internal);
-  this->Bricks->SetFormat(GL_RED);
+  this->Bricks->SetFormat(gl.Format);
   this->Bricks->SetDataType(gl.Type);
   this->Bricks->SetWrapS(vtkTextureObject::ClampToEdge);
   this->Bricks->SetWrapT(vtkTextureObject::ClampToEdge);
   this->Bricks->SetWrapR(vtkTextureObject::ClampToEdge);
   flatblock::ClearGLErrors();
   if (!CanAllocate(size, gl) ||
-      !this->Bricks->Allocate3D(size[0], size[1], size[2], 1, gl.VtkType) ||
+      !this->Bricks->Allocate3D(size[0], size[1], size[2], texels.Components, gl.VtkType) ||
       !IsAllocated3D(this->Bricks, size[2]))
   {
     flatblock::ClearGLErrors();
     return false;
   }
   // What lies beside a brick has no weight, but times NaN that is not nothing.
-  if (format == flatblock::TexelFormat::Float32 && GLEW_ARB_clear_texture)
+  if (texels.Format == flatblock::TexelFormat::Float32 && GLEW_ARB_clear_texture)
   {
-    glClearTexImage(this->Bricks->GetHandle(), 0, GL_RED, gl.Type, nullptr);
+    glClearTexImage(this->Bricks->GetHandle(), 0, gl.Format, gl.Type, nullptr);
   }
   this->BrickBytes.Set(
-    static_cast<std::int64_t>(flatblock::BytesPerTexel(format)) * size[0] * size[1] * size[2]);
+    static_cast<std::int64_t>(flatblock::BytesPerTexel(texels)) * size[0] * size[1] * size[2]);
   return true;
 }
 
@@ -179,7 +184,7 @@ bool vtkOpenGLFlatBlockAtlas::CanMove()
 }
 
 void vtkOpenGLFlatBlockAtlas::Move(
-  const std::vector<flatblock::BoxMove>& moves, flatblock::TexelFormat format)
+  const std::vector<flatblock::BoxMove>& moves, const flatblock::TexelEncoding& texels)
 {
   const unsigned int atlas = this->Bricks->GetHandle();
   for (const flatblock::BoxMove& move : moves)
@@ -198,7 +203,7 @@ void vtkOpenGLFlatBlockAtlas::Move(
         atlas, GL_TEXTURE_3D, 0, move.To[0], move.To[1], move.To[2] + z, move.Size[0], move.Size[1],
         layers);
     }
-    this->MovedBytes += static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(format)) * move.Size[0] *
+    this->MovedBytes += static_cast<vtkTypeInt64>(flatblock::BytesPerTexel(texels)) * move.Size[0] *
                         move.Size[1] * move.Size[2];
   }
 }
@@ -216,7 +221,7 @@ public:
   {
     this->First = first;
     this->Offsets.clear();
-    const std::size_t bytesPerTexel = flatblock::BytesPerTexel(source.GetEncoding().Format);
+    const std::size_t bytesPerTexel = flatblock::BytesPerTexel(source.GetEncoding());
     std::size_t bytes = 0;
     for (std::size_t i = first; i < uploads.size() && bytes < StagingBytes; ++i)
     {
@@ -298,8 +303,8 @@ void vtkOpenGLFlatBlockAtlas::Upload(const std::vector<flatblock::BrickUpload>& 
 void vtkOpenGLFlatBlockAtlas::UploadParts(const flatblock::BrickUpload& upload,
   const flatblock::Index3& origin, const flatblock::BrickSource& source, const std::uint8_t* brick)
 {
-  const flatblock::TexelFormat format = source.GetEncoding().Format;
-  const std::size_t bytesPerTexel = flatblock::BytesPerTexel(format);
+  const GLFormat gl = GetGLFormat(source.GetEncoding());
+  const std::size_t bytesPerTexel = flatblock::BytesPerTexel(source.GetEncoding());
   const flatblock::BlockGrid& grid = source.GetGrid();
   const int side = grid.GetTexelSide(upload.Level);
   vtkTypeInt64 texels = 0;
@@ -311,8 +316,7 @@ void vtkOpenGLFlatBlockAtlas::UploadParts(const flatblock::BrickUpload& upload,
     const flatblock::Index3& at = box.First;
     const std::size_t texel = at[0] + static_cast<std::size_t>(side) * (at[1] + side * at[2]);
     glTexSubImage3D(GL_TEXTURE_3D, 0, origin[0] + at[0], origin[1] + at[1], origin[2] + at[2],
-      box.Size[0], box.Size[1], box.Size[2], GL_RED, GetGLFormat(format).Type,
-      brick + texel * bytesPerTexel);
+      box.Size[0], box.Size[1], box.Size[2], gl.Format, gl.Type, brick + texel * bytesPerTexel);
     texels += static_cast<vtkTypeInt64>(box.Size[0]) * box.Size[1] * box.Size[2];
   }
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);

@@ -78,10 +78,10 @@ private:
   vtkOpenGLFlatBlockAtlas(const vtkOpenGLFlatBlockAtlas&) = delete;
   void operator=(const vtkOpenGLFlatBlockAtlas&) = delete;
 
-  bool Allocate(
-    vtkOpenGLRenderWindow* window, const flatblock::Index3& size, flatblock::TexelFormat format);
+  bool Allocate(vtkOpenGLRenderWindow* window, const flatblock::Index3& size,
+    const flatblock::TexelEncoding& texels);
   bool WriteIndex(vtkOpenGLRenderWindow* window, const flatblock::Residency& residency, int apron);
-  void Move(const std::vector<flatblock::BoxMove>& moves, flatblock::TexelFormat format);
+  void Move(const std::vector<flatblock::BoxMove>& moves, const flatblock::TexelEncoding& texels);
   void Upload(const std::vector<flatblock::BrickUpload>& uploads,
     const flatblock::AtlasAllocator& places, const flatblock::BrickSource& source);
   void UploadParts(const flatblock::BrickUpload& upload, const flatblock::Index3& origin,

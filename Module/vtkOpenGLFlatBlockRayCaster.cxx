@@ -4,6 +4,7 @@
 
 #include "FlatBlockBlending.h"
 #include "FlatBlockClipping.h"
+#include "FlatBlockComponents.h"
 #include "FlatBlockLighting.h"
 #include "FlatBlockRayCasterProgram.h"
 #include "FlatBlockRayGeometry.h"
@@ -55,9 +56,9 @@ bool NeedsIntegrals(const flatblock::RaySampling& sampling)
 } // namespace
 
 vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetTableBytes(
-  const flatblock::TransferTable& table, const flatblock::RaySampling& sampling)
+  const flatblock::ComponentTables& tables, const flatblock::RaySampling& sampling)
 {
-  return vtkOpenGLFlatBlockTransferTable::GetBytes(table, NeedsIntegrals(sampling));
+  return vtkOpenGLFlatBlockTransferTable::GetBytes(tables, NeedsIntegrals(sampling));
 }
 
 vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetImageBytes(
@@ -69,13 +70,14 @@ vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetImageBytes(
 }
 
 void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
-  const flatblock::TransferTable& table, const LookupBytes& bytes,
+  const flatblock::ComponentTables& tables, const LookupBytes& bytes,
   const flatblock::RaySampling& sampling)
 {
   this->SceneDepth->ReleaseIfStale(renderer);
   this->SkipTexture->ReleaseIfStale(renderer->GetRenderWindow(), bytes.SkipMap);
   this->GradientTexture->ReleaseIfStale(renderer->GetRenderWindow(), bytes.GradientTable);
-  this->TransferTable->ReleaseIfStale(renderer->GetRenderWindow(), table, NeedsIntegrals(sampling));
+  this->TransferTable->ReleaseIfStale(
+    renderer->GetRenderWindow(), tables, NeedsIntegrals(sampling));
   if (sampling.HasImage())
   {
     this->RayImage->ReleaseIfStale(renderer, sampling.GetPixelsOfImage(), sampling.HasCounts());
@@ -87,9 +89,9 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
 }
 
 void vtkOpenGLFlatBlockRayCaster::SetTransferTable(vtkOpenGLRenderWindow* window,
-  const flatblock::TransferTable& table, const flatblock::RaySampling& sampling)
+  const flatblock::ComponentTables& tables, const flatblock::RaySampling& sampling)
 {
-  this->TransferTable->Upload(window, table, NeedsIntegrals(sampling));
+  this->TransferTable->Upload(window, tables, NeedsIntegrals(sampling));
 }
 
 bool vtkOpenGLFlatBlockRayCaster::HasTransferTable(const flatblock::RaySampling& sampling) const
@@ -179,11 +181,19 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   this->SetRays(renderer, program, scene);
   this->SetBlocks(program, scene);
   flatblock::SetClipping(program, scene.Clipping);
-  flatblock::SetBlending(program, scene.Sampling, scene.Clipping, *scene.Table);
-  this->TransferTable->Activate(program, scene.Source->GetEncoding());
+  flatblock::SetBlending(program, scene.Sampling, scene.Clipping, *scene.Tables.front().Table);
+  this->TransferTable->Activate(program, scene.Tables);
   if (scene.Sampling.RayStart > 0.0 || scene.Sampling.NeedsGradients())
   {
     flatblock::SetDirections(program, "in_SampleToWorld", sampleToWorld, 1.0);
+  }
+  if (scene.Selection)
+  {
+    flatblock::SetSelection(program, *scene.Selection);
+  }
+  if (scene.Tables.size() > 1)
+  {
+    flatblock::SetComponents(program, scene.Sampling, scene.Tables);
   }
   if (scene.Sampling.IsShaded)
   {
@@ -292,8 +302,7 @@ void vtkOpenGLFlatBlockRayCaster::SetBlocks(vtkShaderProgram* program, const Sce
   if (scene.Sampling.HasGradientTable())
   {
     this->GradientTexture->Activate(program);
-    flatblock::SetGradientScale(program, scene.SampleToDataSet, scene.Source->GetEncoding().Scale,
-      scene.Table->GetHighest() - scene.Table->GetLowest());
+    flatblock::SetGradientScale(program, scene.SampleToDataSet, scene.Tables);
   }
   if (scene.Sampling.UsesRanges())
   {
@@ -323,7 +332,7 @@ bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& s
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (!scene.Sampling.HasImage() || scene.Sampling.RefinesImage)
   {
-    state->vtkglEnable(GL_BLEND);
+    state->SetEnumState(GL_BLEND, !scene.Selection);
     this->DrawCover(state, cover);
     return true;
   }

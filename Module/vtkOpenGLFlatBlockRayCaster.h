@@ -7,11 +7,12 @@
 #define vtkOpenGLFlatBlockRayCaster_h
 
 #include "BrickSource.h"
+#include "ComponentTable.h"
+#include "FlatBlockSelection.h"
 #include "GradientTable.h"
 #include "MemoryCounter.h"
 #include "RaySampling.h"
 #include "SkipMap.h"
-#include "TransferTable.h"
 #include "ViewRegion.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
@@ -46,15 +47,16 @@ public:
   {
     const flatblock::BrickSource* Source;
     vtkOpenGLFlatBlockAtlas* Atlas;
-    vtkMatrix4x4* SampleToDataSet; ///< spacing, origin and direction
-    vtkMatrix4x4* DataSetToWorld;  ///< the prop's matrix
-    const flatblock::TransferTable* Table;
-    vtkVolumeProperty* Material; ///< where the sampling is shaded
-    bool LinearInterpolation;    ///< nearest sample otherwise
-    bool HasHoles;               ///< cells with a corner that is not finite
+    vtkMatrix4x4* SampleToDataSet;     ///< spacing, origin and direction
+    vtkMatrix4x4* DataSetToWorld;      ///< the prop's matrix
+    flatblock::ComponentTables Tables; ///< of all components
+    vtkVolumeProperty* Material;       ///< where the sampling is shaded
+    bool LinearInterpolation;          ///< nearest sample otherwise
+    bool HasHoles;                     ///< cells with a corner that is not finite
     flatblock::RaySampling Sampling;
     flatblock::Clipping Clipping;
-    bool IsOnlyImage = false; ///< rays stay in their image
+    bool IsOnlyImage = false;                      ///< rays stay in their image
+    std::optional<flatblock::Selection> Selection; ///< ids are drawn in place of colours
   };
 
   /**
@@ -70,14 +72,14 @@ public:
     vtkTypeInt64 SkipMap;
     vtkTypeInt64 GradientTable;
   };
-  void ReleaseStale(vtkRenderer* renderer, const flatblock::TransferTable& table,
+  void ReleaseStale(vtkRenderer* renderer, const flatblock::ComponentTables& tables,
     const LookupBytes& bytes, const flatblock::RaySampling& sampling);
 
   /**
-   * Sends a transfer function to the graphics card, where Draw() finds it: with its integrals where
+   * Sends transfer functions to the graphics card, where Draw() finds it: with its integrals where
    * segments are integrated.
    */
-  void SetTransferTable(vtkOpenGLRenderWindow* window, const flatblock::TransferTable& table,
+  void SetTransferTable(vtkOpenGLRenderWindow* window, const flatblock::ComponentTables& tables,
     const flatblock::RaySampling& sampling);
   bool HasTransferTable(const flatblock::RaySampling& sampling) const;
 
@@ -103,10 +105,10 @@ public:
   bool HasGradientTable() const;
 
   /**
-   * Bytes of a transfer function, and of the image of rays where one is drawn.
+   * Bytes of transfer functions, and of the image of rays where one is drawn.
    */
   static vtkTypeInt64 GetTableBytes(
-    const flatblock::TransferTable& table, const flatblock::RaySampling& sampling);
+    const flatblock::ComponentTables& tables, const flatblock::RaySampling& sampling);
   static vtkTypeInt64 GetImageBytes(vtkRenderer* renderer, const flatblock::RaySampling& sampling);
 
   /**

@@ -23,28 +23,35 @@ vtkOpenGLFlatBlockTransferTable::vtkOpenGLFlatBlockTransferTable() = default;
 vtkOpenGLFlatBlockTransferTable::~vtkOpenGLFlatBlockTransferTable() = default;
 
 vtkTypeInt64 vtkOpenGLFlatBlockTransferTable::GetBytes(
-  const flatblock::TransferTable& table, bool hasIntegrals)
+  const flatblock::ComponentTables& tables, bool hasIntegrals)
 {
-  const auto entries = static_cast<vtkTypeInt64>(table.GetEntries().size());
   const auto bytesPerTexel = static_cast<vtkTypeInt64>(sizeof(flatblock::TransferTable::Entry));
+  vtkTypeInt64 entries = 0;
+  for (const flatblock::ComponentTable& component : tables)
+  {
+    entries += static_cast<vtkTypeInt64>(component.Table->GetEntries().size());
+  }
   return entries * GetTexelsPerEntry(hasIntegrals) * bytesPerTexel;
 }
 
 void vtkOpenGLFlatBlockTransferTable::Upload(
-  vtkOpenGLRenderWindow* window, const flatblock::TransferTable& table, bool hasIntegrals)
+  vtkOpenGLRenderWindow* window, const flatblock::ComponentTables& tables, bool hasIntegrals)
 {
   static_assert(sizeof(flatblock::TransferTable::Entry) == 4 * sizeof(float));
-  const std::vector<flatblock::TransferTable::Entry> texels =
-    hasIntegrals ? flatblock::IntegrateTransferTable(table) : table.GetEntries();
+  std::vector<flatblock::TransferTable::Entry> texels;
+  for (const flatblock::ComponentTable& component : tables)
+  {
+    const std::vector<flatblock::TransferTable::Entry> own =
+      hasIntegrals ? flatblock::IntegrateTransferTable(*component.Table)
+                   : component.Table->GetEntries();
+    texels.insert(texels.end(), own.begin(), own.end());
+  }
   this->Texture->SetContext(window);
   this->Buffer->Upload(texels, vtkOpenGLBufferObject::TextureBuffer);
   this->Texture->CreateTextureBuffer(
     static_cast<unsigned int>(texels.size()), 4, VTK_FLOAT, this->Buffer);
-  this->Bytes.Set(GetBytes(table, hasIntegrals));
+  this->Bytes.Set(GetBytes(tables, hasIntegrals));
   this->HasIntegrals = hasIntegrals;
-  this->Lowest = table.GetLowest();
-  this->Highest = table.GetHighest();
-  this->Entries = static_cast<int>(table.GetEntries().size());
   this->TotalDepth = hasIntegrals ? texels[texels.size() - flatblock::TransferTexels + 1][3] : 0.0;
 }
 
@@ -60,18 +67,16 @@ bool vtkOpenGLFlatBlockTransferTable::IsUploaded(bool hasIntegrals) const
   return this->Texture->GetHandle() != 0 && this->HasIntegrals == hasIntegrals;
 }
 
-// A texel t is the value offset + scale * t.
 void vtkOpenGLFlatBlockTransferTable::Activate(
-  vtkShaderProgram* program, const flatblock::TexelEncoding& texels)
+  vtkShaderProgram* program, const flatblock::ComponentTables& tables)
 {
-  const double span = this->Highest - this->Lowest;
-  const double entriesPerValue = span > 0.0 ? (this->Entries - 1) / span : 0.0;
-  const float texelToTable[2] = { static_cast<float>(texels.Scale * entriesPerValue),
-    static_cast<float>((texels.Offset - this->Lowest) * entriesPerValue) };
+  const flatblock::ComponentTable& first = tables.front();
+  const std::array<double, 2> line = flatblock::GetTexelToTable(first);
+  const float texelToTable[2] = { static_cast<float>(line[0]), static_cast<float>(line[1]) };
   this->Texture->Activate();
   program->SetUniformi("in_TransferTable", this->Texture->GetTextureUnit());
   program->SetUniformi("in_TexelsPerEntry", GetTexelsPerEntry(this->HasIntegrals));
-  program->SetUniformf("in_LastEntry", static_cast<float>(this->Entries - 1));
+  program->SetUniformf("in_LastEntry", static_cast<float>(first.Table->GetEntries().size() - 1));
   program->SetUniform2f("in_TexelToTable", texelToTable);
 }
 
@@ -81,9 +86,9 @@ void vtkOpenGLFlatBlockTransferTable::Deactivate()
 }
 
 void vtkOpenGLFlatBlockTransferTable::ReleaseIfStale(
-  vtkWindow* window, const flatblock::TransferTable& table, bool hasIntegrals)
+  vtkWindow* window, const flatblock::ComponentTables& tables, bool hasIntegrals)
 {
-  if (this->Bytes.Get() != GetBytes(table, hasIntegrals))
+  if (this->Bytes.Get() != GetBytes(tables, hasIntegrals))
   {
     this->ReleaseGraphicsResources(window);
   }
@@ -99,7 +104,6 @@ void vtkOpenGLFlatBlockTransferTable::ReleaseGraphicsResources(vtkWindow* window
 void vtkOpenGLFlatBlockTransferTable::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Range: " << this->Lowest << " " << this->Highest << "\n";
-  os << indent << "Entries: " << this->Entries << "\n";
+  os << indent << "Bytes: " << this->Bytes.Get() << "\n";
   os << indent << "HasIntegrals: " << this->HasIntegrals << "\n";
 }

@@ -6,9 +6,8 @@
 #ifndef vtkOpenGLFlatBlockTransferTable_h
 #define vtkOpenGLFlatBlockTransferTable_h
 
-#include "BrickSource.h"
+#include "ComponentTable.h"
 #include "MemoryCounter.h"
-#include "TransferTable.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
 
@@ -31,15 +30,15 @@ public:
   void SetMemoryCounter(flatblock::MemoryCounter* counter) { this->Bytes.SetCounter(counter); }
 
   /**
-   * Bytes that a table takes.
+   * Bytes that tables take, one after the other; only a single one may have integrals.
    */
-  static vtkTypeInt64 GetBytes(const flatblock::TransferTable& table, bool hasIntegrals);
+  static vtkTypeInt64 GetBytes(const flatblock::ComponentTables& tables, bool hasIntegrals);
 
   /**
-   * Sends a table to the graphics card.
+   * Sends tables to the graphics card.
    */
   void Upload(
-    vtkOpenGLRenderWindow* window, const flatblock::TransferTable& table, bool hasIntegrals);
+    vtkOpenGLRenderWindow* window, const flatblock::ComponentTables& tables, bool hasIntegrals);
 
   /**
    * Whether there is one, with integrals or without.
@@ -53,15 +52,16 @@ public:
   bool NeedsLongSums(double length) const;
 
   /**
-   * Texels are those of an atlas. Active until Deactivate().
+   * The tables that were sent. Active until Deactivate().
    */
-  void Activate(vtkShaderProgram* program, const flatblock::TexelEncoding& texels);
+  void Activate(vtkShaderProgram* program, const flatblock::ComponentTables& tables);
   void Deactivate();
 
   /**
    * Releases what the next Upload() will allocate in another size.
    */
-  void ReleaseIfStale(vtkWindow* window, const flatblock::TransferTable& table, bool hasIntegrals);
+  void ReleaseIfStale(
+    vtkWindow* window, const flatblock::ComponentTables& tables, bool hasIntegrals);
   void ReleaseGraphicsResources(vtkWindow* window);
 
 protected:
@@ -76,9 +76,6 @@ private:
   vtkNew<vtkTextureObject> Texture;
   flatblock::CountedBytes Bytes;
   bool HasIntegrals = false;
-  double Lowest = 0.0;
-  double Highest = 0.0;
-  int Entries = 0;
   double TotalDepth = 0.0; // over all entries
 };
 

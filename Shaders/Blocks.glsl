@@ -12,6 +12,14 @@ uniform float in_AdaptiveSampling; // 1: the step doubles a level, 0: it is the 
 uniform sampler2D in_BrickRanges; // of a block's texels: lowest, and from there to the highest
 #endif
 
+#ifdef FLATBLOCK_COMPONENTS
+#define Texel vec4
+const int TexelComponents = FLATBLOCK_COMPONENTS;
+#else
+#define Texel float
+const int TexelComponents = 1;
+#endif
+
 const uint NotResident = 65535u;
 
 #ifdef FLATBLOCK_GRADIENT
@@ -81,13 +89,17 @@ vec3 inAtlas(Brick brick, vec3 position)
   return clamp(at, brick.low, brick.high);
 }
 
-float texelAt(Brick brick, vec3 at)
+Texel texelAt(Brick brick, vec3 at)
 {
   countFetches(1);
+#ifdef FLATBLOCK_COMPONENTS
+  return textureLod(in_Atlas, at, 0.0);
+#else
   return valueOfTexel(brick, textureLod(in_Atlas, at, 0.0).r);
+#endif
 }
 
-float texelOf(Brick brick, vec3 position)
+Texel texelOf(Brick brick, vec3 position)
 {
   return texelAt(brick, inAtlas(brick, position));
 }

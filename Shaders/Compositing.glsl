@@ -5,7 +5,7 @@ uniform float in_EnoughOpacity; // a ray that has gathered this much ends
 struct Gathered
 {
   vec4 color; // multiplied by opacity, and opacity
-#ifdef FLATBLOCK_SHADING
+#if defined(FLATBLOCK_MODULATED) && defined(FLATBLOCK_SHADING)
   Light light;
 #endif
 };
@@ -19,7 +19,7 @@ Gathered nothingGathered()
 
 void beginPart(inout Gathered gathered)
 {
-#ifdef FLATBLOCK_SHADING
+#if defined(FLATBLOCK_MODULATED) && defined(FLATBLOCK_SHADING)
   gathered.light = firstLight();
 #endif
 }
@@ -59,7 +59,7 @@ Piece pieceWithoutHoles(Point front, Point back, float length)
   return pieceBetween(front, back, length);
 }
 
-#ifdef FLATBLOCK_GRADIENT_OPACITY
+#if defined(FLATBLOCK_MODULATED) && defined(FLATBLOCK_GRADIENT_OPACITY)
 // What matter that is `share` times as dense lets be seen.
 vec4 thinned(vec4 color, float share)
 {
@@ -69,23 +69,23 @@ vec4 thinned(vec4 color, float share)
 }
 #endif
 
-#ifdef FLATBLOCK_GRADIENT
+#ifdef FLATBLOCK_MODULATED
 // What the gradient in a piece does to it.
-void modulate(inout Gathered gathered, inout vec4 color, Brick brick, vec3 position, vec3 view)
+void modulate(inout Gathered gathered, inout vec4 color, Brick brick, vec3 position)
 {
 #ifdef FLATBLOCK_GRADIENT_OPACITY
   if (color.a > 0.0)
   {
     vec3 gradient = gradientAt(brick, position);
-    color = thinned(color, lookUpGradient(0.0, gradient).r);
+    color = thinned(color, lookUpGradient(0.0, 0, gradient).r);
 #ifdef FLATBLOCK_SHADING
-    gathered.light = lightOn(gradient, view);
+    gathered.light = lightOn(gradient, toViewer);
 #endif
   }
 #elif defined(FLATBLOCK_SHADING)
   if ((1.0 - gathered.color.a) * color.a > in_ShadingOpacityThreshold)
   {
-    gathered.light = lightOn(gradientAt(brick, position), view);
+    gathered.light = lightOn(gradientAt(brick, position), toViewer);
   }
 #endif
 #ifdef FLATBLOCK_SHADING
@@ -93,6 +93,17 @@ void modulate(inout Gathered gathered, inout vec4 color, Brick brick, vec3 posit
 #endif
 }
 #endif
+
+void addColor(inout Gathered gathered, vec4 color, vec3 position)
+{
+#ifdef FLATBLOCK_SELECTION
+  if (gathered.color.a < Seen)
+  {
+    see(position);
+  }
+#endif
+  gathered.color = composite(gathered.color, color);
+}
 
 // Point after point. A piece whose error is too large is split.
 void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 origin, Brick brick,
@@ -103,9 +114,6 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
   {
     findFront(progress, ray, origin);
   }
-#ifdef FLATBLOCK_GRADIENT
-  vec3 view = -normalize(in_SampleToWorld * ray.direction);
-#endif
   float target = stretch.exit;
   while (goesOn(progress, stretch) && gathered.color.a < in_EnoughOpacity)
   {
@@ -127,11 +135,11 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
     }
     else
     {
-#ifdef FLATBLOCK_GRADIENT
+#ifdef FLATBLOCK_MODULATED
       vec3 middle = origin + 0.5 * (progress.at + target) * ray.direction;
-      modulate(gathered, piece.color, brick, middle, view);
+      modulate(gathered, piece.color, brick, middle);
 #endif
-      gathered.color = composite(gathered.color, piece.color);
+      addColor(gathered, piece.color, origin + target * ray.direction);
       moveTo(progress, back, target, brick);
       target = stretch.exit;
     }
@@ -139,11 +147,11 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
 }
 
 // What looks all the same up to the next point, in one piece.
-void gatherMatter(inout Gathered gathered, Progress progress, float length)
+void gatherMatter(inout Gathered gathered, Progress progress, vec3 position, float length)
 {
   vec4 layer = layerOf(progress.front.matter, length);
-#ifdef FLATBLOCK_SHADING
+#if defined(FLATBLOCK_MODULATED) && defined(FLATBLOCK_SHADING)
   layer.rgb = lit(layer, gathered.light);
 #endif
-  gathered.color = composite(gathered.color, layer);
+  addColor(gathered, layer, position);
 }

@@ -20,7 +20,7 @@ Gathered nothingGathered()
 
 void beginPart(inout Gathered gathered) {}
 
-void gatherMatter(inout Gathered gathered, Progress progress, float length) {}
+void gatherMatter(inout Gathered gathered, Progress progress, vec3 position, float length) {}
 
 vec4 colorOf(Gathered gathered)
 {
@@ -40,8 +40,12 @@ bool canChange(Gathered gathered, Brick brick)
   return Sign * positionInTable(farthest) > gathered.extreme;
 }
 
-void take(inout Gathered gathered, Point point)
+void take(inout Gathered gathered, Point point, vec3 position)
 {
+  if (hasValue(point) && Sign * point.value > gathered.extreme)
+  {
+    see(position);
+  }
   gathered.extreme = hasValue(point) ? max(gathered.extreme, Sign * point.value) : gathered.extreme;
 }
 
@@ -51,13 +55,14 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
   while (mustBeFound(progress, stretch))
   {
     findFront(progress, ray, origin);
-    take(gathered, progress.front);
+    take(gathered, progress.front, origin + progress.at * ray.direction);
   }
   while (goesOn(progress, stretch))
   {
     float target = min(progress.next, stretch.exit);
-    moveTo(progress, pointAt(brick, origin + target * ray.direction), target, brick);
-    take(gathered, progress.front);
+    vec3 position = origin + target * ray.direction;
+    moveTo(progress, pointAt(brick, position), target, brick);
+    take(gathered, progress.front, position);
     countSample(progress);
   }
 }

@@ -3,52 +3,86 @@
 
 #ifdef FLATBLOCK_GRADIENT_TABLE
 uniform sampler2D in_GradientTable; // y: magnitudes
-uniform vec3 in_GradientToTable;    // scale an axis: to magnitudes from 0 to 1
+uniform vec3 in_GradientToTable;    // scale an axis: to magnitudes from 0 to 1,
+uniform float in_GradientUnits[TexelComponents]; // and for each component
 #endif
+
+// Where a difference begins and ends along each axis: one-sided at the volume's faces.
+struct Stencil
+{
+  vec3 at;     // in the atlas
+  vec3 before;
+  vec3 behind;
+  vec3 below;  // in samples
+  vec3 above;
+};
+
+Stencil stencilAt(Brick brick, vec3 position)
+{
+  vec3 middle =
+    clamp(position, brick.first, min(brick.first + float(in_CellsPerBlock), in_LastSample));
+  Stencil stencil;
+  stencil.below = middle - max(middle - 1.0 / brick.scale, 0.0);
+  stencil.above = min(middle + 1.0 / brick.scale, in_LastSample) - middle;
+  stencil.at = inAtlas(brick, middle);
+  stencil.before = stencil.at - stencil.below * brick.scale * in_AtlasTexel;
+  stencil.behind = stencil.at + stencil.above * brick.scale * in_AtlasTexel;
+  return stencil;
+}
 
 #ifdef FLATBLOCK_HOLES
 // Where a value is none, the one in the middle stands for it.
-void passHole(inout float value, inout float reach, float middle)
+void passHole(inout Texel value, inout float reach, Texel middle)
 {
-  bool isNone = isHole(abs(value));
+  bool isNone = isHole(value);
   value = isNone ? middle : value;
   reach = isNone ? 0.0 : reach;
 }
 #endif
 
-// In texels a sample; one-sided at the volume's faces.
+struct Differences
+{
+  Texel x; // in texels a sample
+  Texel y;
+  Texel z;
+};
+
+Differences differencesAt(Brick brick, vec3 position)
+{
+  Stencil s = stencilAt(brick, position);
+  Differences low = Differences(texelAt(brick, vec3(s.before.x, s.at.yz)),
+    texelAt(brick, vec3(s.at.x, s.before.y, s.at.z)), texelAt(brick, vec3(s.at.xy, s.before.z)));
+  Differences high = Differences(texelAt(brick, vec3(s.behind.x, s.at.yz)),
+    texelAt(brick, vec3(s.at.x, s.behind.y, s.at.z)), texelAt(brick, vec3(s.at.xy, s.behind.z)));
+#ifdef FLATBLOCK_HOLES
+  Texel value = texelAt(brick, s.at);
+  passHole(low.x, s.below.x, value);
+  passHole(low.y, s.below.y, value);
+  passHole(low.z, s.below.z, value);
+  passHole(high.x, s.above.x, value);
+  passHole(high.y, s.above.y, value);
+  passHole(high.z, s.above.z, value);
+#endif
+  vec3 reach = max(s.below + s.above, 1e-3);
+  return Differences((high.x - low.x) / reach.x, (high.y - low.y) / reach.y,
+    (high.z - low.z) / reach.z);
+}
+
+#ifndef FLATBLOCK_COMPONENTS
 vec3 gradientAt(Brick brick, vec3 position)
 {
-  vec3 middle =
-    clamp(position, brick.first, min(brick.first + float(in_CellsPerBlock), in_LastSample));
-  vec3 below = middle - max(middle - 1.0 / brick.scale, 0.0);
-  vec3 above = min(middle + 1.0 / brick.scale, in_LastSample) - middle;
-  vec3 at = inAtlas(brick, middle);
-  vec3 before = at - below * brick.scale * in_AtlasTexel;
-  vec3 behind = at + above * brick.scale * in_AtlasTexel;
-  vec3 low = vec3(texelAt(brick, vec3(before.x, at.yz)),
-    texelAt(brick, vec3(at.x, before.y, at.z)), texelAt(brick, vec3(at.xy, before.z)));
-  vec3 high = vec3(texelAt(brick, vec3(behind.x, at.yz)),
-    texelAt(brick, vec3(at.x, behind.y, at.z)), texelAt(brick, vec3(at.xy, behind.z)));
-#ifdef FLATBLOCK_HOLES
-  float value = texelAt(brick, at);
-  passHole(low.x, below.x, value);
-  passHole(low.y, below.y, value);
-  passHole(low.z, below.z, value);
-  passHole(high.x, above.x, value);
-  passHole(high.y, above.y, value);
-  passHole(high.z, above.z, value);
-#endif
-  return (high - low) / max(below + above, 1e-3);
+  Differences differences = differencesAt(brick, position);
+  return vec3(differences.x, differences.y, differences.z);
 }
+#endif
 
 #ifdef FLATBLOCK_GRADIENT_TABLE
 // Beyond 1 it is as at 1.
-vec4 lookUpGradient(float across, vec3 gradient)
+vec4 lookUpGradient(float across, int component, vec3 gradient)
 {
   countFetches(1);
   vec2 last = vec2(textureSize(in_GradientTable, 0) - 1);
-  vec2 position = clamp(vec2(across, length(gradient * in_GradientToTable)), 0.0, 1.0);
+  vec2 position = clamp(vec2(across, in_GradientUnits[component] * length(gradient * in_GradientToTable)), 0.0, 1.0);
   return textureLod(in_GradientTable, (position * last + 0.5) / (last + 1.0), 0.0);
 }
 #endif

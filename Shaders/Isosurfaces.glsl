@@ -15,7 +15,7 @@ Gathered nothingGathered()
 
 void beginPart(inout Gathered gathered) {}
 
-void gatherMatter(inout Gathered gathered, Progress progress, float length) {}
+void gatherMatter(inout Gathered gathered, Progress progress, vec3 position, float length) {}
 
 vec4 colorOf(Gathered gathered)
 {
@@ -51,8 +51,7 @@ vec4 surfaceAt(Ray ray, vec3 origin, Brick brick, float isoValue, float at)
 {
   vec4 color = surfaceOf(isoValue);
 #ifdef FLATBLOCK_SHADING
-  vec3 view = -normalize(in_SampleToWorld * ray.direction);
-  Light light = lightOn(gradientAt(brick, origin + at * ray.direction), view);
+  Light light = lightOn(gradientAt(brick, origin + at * ray.direction), toViewer);
   color.rgb = lit(color, light);
 #endif
   return color;
@@ -72,6 +71,10 @@ void cross(inout Gathered gathered, Progress progress, Ray ray, vec3 origin, Bri
     {
       float at = findCrossing(ray, origin, brick, isoValue, ends, values);
       vec4 surface = surfaceAt(ray, origin, brick, isoValue, at);
+      if (gathered.color.a <= 0.0)
+      {
+        see(origin + at * ray.direction);
+      }
       gathered.color = composite(gathered.color, surface);
       isCrossed = false;
     }

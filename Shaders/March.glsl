@@ -13,7 +13,8 @@ float phaseOfRay()
 
 // Over what looks all the same, or cannot change what was gathered. Loops that end after one turn are
 // passed by where no ray of a group of pixels enters them, other than what is conditional.
-void leap(inout Gathered gathered, inout Progress progress, Ray ray, Brick brick, Stretch stretch)
+void leap(inout Gathered gathered, inout Progress progress, Ray ray, vec3 origin, Brick brick,
+  Stretch stretch)
 {
 #if defined(FLATBLOCK_SKIPPING) || defined(FLATBLOCK_EXTREMES)
   float last;
@@ -22,7 +23,8 @@ void leap(inout Gathered gathered, inout Progress progress, Ray ray, Brick brick
     bool isMatter = stretch.isMatter;
     while (isMatter)
     {
-      gatherMatter(gathered, progress, (last - progress.at) * ray.unit * in_StepLength);
+      gatherMatter(gathered, progress, origin + progress.at * ray.direction,
+        (last - progress.at) * ray.unit * in_StepLength);
       isMatter = false;
     }
     leapTo(progress, last, brick);
@@ -92,7 +94,7 @@ void march(inout Gathered gathered, inout Progress progress, Ray ray)
     {
       stretch.isToEnd = !beyond.resident;
       gather(gathered, progress, ray, origin, brick, stretch);
-      leap(gathered, progress, ray, brick, stretch);
+      leap(gathered, progress, ray, origin, brick, stretch);
     }
     wasResident = brick.resident;
     brick = beyond;

@@ -5,6 +5,18 @@ uniform float in_StepLength; // in the smallest spacing
 uniform int in_MaximumNumberOfSamples;
 #endif
 
+// Where the ray first met something, for selections.
+#ifdef FLATBLOCK_SELECTION
+vec3 seenAt;
+#endif
+
+void see(vec3 position)
+{
+#ifdef FLATBLOCK_SELECTION
+  seenAt = position;
+#endif
+}
+
 struct Progress
 {
   Point front; // where the ray has been gathered up to

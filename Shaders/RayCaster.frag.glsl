@@ -14,8 +14,9 @@
 //FlatBlock::Walk
 //FlatBlock::TransferTable
 //FlatBlock::Gradient
-//FlatBlock::Classification
 //FlatBlock::Shading
+//FlatBlock::Classification
+//FlatBlock::Selection
 //FlatBlock::Progress
 //FlatBlock::Gathering
 //FlatBlock::March
@@ -36,10 +37,20 @@ void main()
   bool isBetween = isBetweenRays(between);
   ray.end = isBetween ? ray.begin : ray.end;
 #endif
+#ifdef FLATBLOCK_SHADING
+  toViewer = -normalize(in_SampleToWorld * ray.direction);
+#endif
   Progress progress = noProgress();
   vec4 color = colorAlong(ray, progress);
 #ifdef FLATBLOCK_ADAPTIVE_IMAGE
   color = isBetween ? between : color;
+#endif
+#ifdef FLATBLOCK_SELECTION
+  if (color.a < Seen)
+  {
+    discard;
+  }
+  color = idAt(seenAt);
 #endif
 #ifdef FLATBLOCK_COUNTING
   float samples = float(progress.samples);

@@ -12,6 +12,8 @@ uniform float in_SpecularPower;
 uniform bool in_TwoSidedLighting;
 uniform float in_ShadingOpacityThreshold; // of what is seen, below which a piece keeps the last light
 
+vec3 toViewer; // from all of this ray, in world coordinates
+
 struct Light
 {
   vec3 reflected; // factors for colours,

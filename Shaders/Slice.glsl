@@ -25,6 +25,7 @@ vec4 colorAlong(Ray ray, inout Progress progress)
   ivec3 block = ivec3(floor(position / float(in_CellsPerBlock)));
   Brick brick = fetchBrick(
     clamp(block, ivec3(0), ivec3(in_Blocks[0], in_Blocks[1], in_Blocks[2]) - 1));
+  see(position);
   countSample(progress);
   Point point = pointAt(brick, position);
   return brick.resident && hasValue(point) ? surfaceOf(point.value) : vec4(0.0);

@@ -19,7 +19,7 @@ Gathered nothingGathered()
 
 void beginPart(inout Gathered gathered) {}
 
-void gatherMatter(inout Gathered gathered, Progress progress, float length) {}
+void gatherMatter(inout Gathered gathered, Progress progress, vec3 position, float length) {}
 
 vec4 colorOf(Gathered gathered)
 {
@@ -65,6 +65,7 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
 {
   while (mustBeFound(progress, stretch))
   {
+    see(origin + progress.at * ray.direction);
     findFront(progress, ray, origin);
   }
   while (goesOn(progress, stretch))

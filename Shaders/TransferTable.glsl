@@ -67,5 +67,10 @@ float smallerPart(float error)
 // whatever is interpolated from them.
 bool isHole(float texel)
 {
-  return texel > 2.0;
+  return abs(texel) > 2.0;
+}
+
+bool isHole(vec4 texels)
+{
+  return any(greaterThan(abs(texels), vec4(2.0)));
 }

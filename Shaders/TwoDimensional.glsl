@@ -5,7 +5,7 @@ Point pointAt(Brick brick, vec3 position)
   float texel = texelOf(brick, position);
   float across = positionInTable(texel) / in_LastEntry;
   Point point;
-  point.matter = lookUpGradient(across, gradientAt(brick, position));
+  point.matter = lookUpGradient(across, 0, gradientAt(brick, position));
 #ifdef FLATBLOCK_HOLES
   point.isHole = isHole(texel);
 #endif

@@ -10,7 +10,7 @@
 
 namespace flatblock
 {
-/// One texel of the atlas: a normalized unsigned integer, or a float in [0, 1].
+/// What a texel of the atlas is made of: normalized unsigned integers, or floats in [0, 1].
 enum class TexelFormat
 {
   Unsigned8,
@@ -26,10 +26,16 @@ inline std::size_t BytesPerTexel(TexelFormat format)
 /// A sample's value is Offset + Scale * texel, with the texel in [0, 1].
 struct TexelEncoding
 {
-  TexelFormat Format = TexelFormat::Unsigned8;
+  TexelFormat Format = TexelFormat::Unsigned8; ///< of each component
   double Offset = 0.0;
   double Scale = 1.0;
+  int Components = 1;
 };
+
+inline std::size_t BytesPerTexel(const TexelEncoding& encoding)
+{
+  return static_cast<std::size_t>(encoding.Components) * BytesPerTexel(encoding.Format);
+}
 
 /// Texels of a brick that are on a scale of their own: Lowest + Extent * texel is what it would be.
 struct TexelRange

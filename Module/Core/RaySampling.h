@@ -24,6 +24,8 @@ struct RayCounts
 struct RaySampling
 {
   flatblock::Blending Blending;
+  int Components = 1;
+  bool AreIndependent = false; ///< or colours, and the last one opacity
   Classification Method = Classification::PreIntegrated;
   double Step = 1.0;         ///< between samples at the finest level, in the data set's unit
   double UnitOfLength = 1.0; ///< of extinctions, in the data set's unit: the smallest spacing
@@ -44,6 +46,7 @@ struct RaySampling
   bool RefinesImage = false;   ///< rays of a coarse grid come first, others only where they differ
   double ImageTolerance = 0.0; ///< by this
   bool CountsSamples = false;
+  bool IsSelection = false; ///< ids are drawn
 
   static constexpr double CoarsePixelsPerRay = 4.0;
 

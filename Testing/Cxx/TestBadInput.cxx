@@ -222,12 +222,12 @@ TEST(BadInput, CellDataAndManyComponentsAndWrongLength)
     },
     [](Scene& scene) { scene.Mapper->SetScalarModeToDefault(); });
   ExpectOneError(
-    "3 components",
+    "5 components",
     [](Scene& scene)
     {
       vtkNew<vtkImageData> image;
       image->SetDimensions(20, 20, 20);
-      image->AllocateScalars(VTK_FLOAT, 3);
+      image->AllocateScalars(VTK_FLOAT, 5);
       SetInput(scene, image);
     },
     SetGood);

@@ -4,7 +4,6 @@
 
 #include "vtkActor.h"
 #include "vtkDataObject.h"
-#include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkSelection.h"
@@ -133,27 +132,6 @@ TEST(Windows, RemovalFromOneWindowLeavesTheOthersActors)
   second.Renderer->RemoveVolume(first.Volume);
   second.Window->Render();
   EXPECT_EQ(LargestDifference(alone, Grab(second.Window)), 0.0);
-}
-
-TEST(Windows, SelectionPassesThrough)
-{
-  Scene scene;
-  Prepare(scene);
-  vtkNew<vtkSphereSource> sphere;
-  vtkNew<vtkPolyDataMapper> sphereMapper;
-  sphereMapper->SetInputConnection(sphere->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(sphereMapper);
-  scene.Renderer->AddActor(actor);
-  scene.Draw();
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(scene.Renderer);
-  selector->SetArea(0, 0, 255, 255);
-  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
-  vtkSmartPointer<vtkSelection> selection;
-  selection.TakeReference(selector->Select());
-  ASSERT_EQ(selection->GetNumberOfNodes(), 1U);
-  EXPECT_EQ(selection->GetNode(0)->GetProperties()->Get(vtkSelectionNode::PROP()), actor);
 }
 
 TEST(Windows, SizeMayChange)

@@ -1,0 +1,65 @@
+#include "FlatBlockComponents.h"
+
+#include "RaySampling.h"
+
+#include "vtkShaderProgram.h"
+
+namespace flatblock
+{
+namespace
+{
+// Colours of their own are from 0 to 1 in floats, and up to the largest value in integers.
+void SetColors(vtkShaderProgram* program, const ComponentTables& tables)
+{
+  float scale[3];
+  float offset[3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const TexelEncoding& encoding = tables[i].Encoding;
+    const bool isSigned = encoding.Offset < 0.0;
+    const double largest =
+      encoding.Format == TexelFormat::Unsigned8
+        ? (isSigned ? 127.0 : 255.0)
+        : (encoding.Format == TexelFormat::Unsigned16 ? (isSigned ? 32767.0 : 65535.0) : 1.0);
+    scale[i] = static_cast<float>(encoding.Scale / largest);
+    offset[i] = static_cast<float>(encoding.Offset / largest);
+  }
+  program->SetUniform3f("in_ColorScale", scale);
+  program->SetUniform3f("in_ColorOffset", offset);
+}
+} // namespace
+
+void SetComponents(
+  vtkShaderProgram* program, const RaySampling& sampling, const ComponentTables& tables)
+{
+  constexpr int Most = 4;
+  int firstEntries[Most] = {};
+  float lastEntries[Most] = {};
+  float texelsToTables[Most][2] = {};
+  float weights[Most] = {};
+  int entries = 0;
+  for (std::size_t i = 0; i < tables.size(); ++i)
+  {
+    const auto count = static_cast<int>(tables[i].Table->GetEntries().size());
+    const std::array<double, 2> line = GetTexelToTable(tables[i]);
+    firstEntries[i] = entries;
+    lastEntries[i] = static_cast<float>(count - 1);
+    texelsToTables[i][0] = static_cast<float>(line[0]);
+    texelsToTables[i][1] = static_cast<float>(line[1]);
+    weights[i] = static_cast<float>(tables[i].Weight);
+    entries += count;
+  }
+  const auto count = static_cast<int>(tables.size());
+  program->SetUniform1iv("in_FirstEntries", count, firstEntries);
+  program->SetUniform1fv("in_LastEntries", count, lastEntries);
+  program->SetUniform2fv("in_TexelsToTables", count, texelsToTables);
+  if (sampling.AreIndependent)
+  {
+    program->SetUniform1fv("in_Weights", count, weights);
+  }
+  else if (count == Most)
+  {
+    SetColors(program, tables);
+  }
+}
+} // namespace flatblock

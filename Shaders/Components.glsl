@@ -1,0 +1,97 @@
+// Classification of several components, each interpolated by itself. Opacity and colours that depend
+// on gradients, and light, are those of a point.
+
+uniform int in_FirstEntries[FLATBLOCK_COMPONENTS]; // of each one's table
+uniform float in_LastEntries[FLATBLOCK_COMPONENTS];
+uniform vec2 in_TexelsToTables[FLATBLOCK_COMPONENTS];
+#ifdef FLATBLOCK_INDEPENDENT
+uniform float in_Weights[FLATBLOCK_COMPONENTS];
+#elif FLATBLOCK_COMPONENTS == 4
+uniform vec3 in_ColorScale; // of what is a colour itself
+uniform vec3 in_ColorOffset;
+#endif
+
+// Of all components, an axis each.
+#ifdef FLATBLOCK_GRADIENT
+#define Gradients Differences
+#else
+#define Gradients vec4
+#endif
+
+vec4 matterOf(int component, float texel)
+{
+  float last = in_LastEntries[component];
+  float position = clamp(texel * in_TexelsToTables[component].x + in_TexelsToTables[component].y, 0.0,
+    last);
+  float interval = min(floor(position), last - 1.0);
+  int entry = in_FirstEntries[component] + int(interval);
+  return mix(entryOfTable(entry), entryOfTable(entry + 1), position - interval);
+}
+
+// What the gradient of a component does to its matter.
+vec4 modulated(vec4 matter, int component, Gradients gradients)
+{
+#ifdef FLATBLOCK_GRADIENT
+  vec3 gradient =
+    vec3(gradients.x[component], gradients.y[component], gradients.z[component]);
+#ifdef FLATBLOCK_GRADIENT_OPACITY
+  float across = float(component) / float(max(FLATBLOCK_COMPONENTS - 1, 1));
+  matter.a *= lookUpGradient(across, component, gradient).r;
+#endif
+#ifdef FLATBLOCK_SHADING
+  matter.rgb = lit(vec4(matter.rgb, 1.0), lightOn(gradient, toViewer));
+#endif
+#endif
+  return matter;
+}
+
+#ifdef FLATBLOCK_INDEPENDENT
+// Weighted as vtkGPUVolumeRayCastMapper does: light adds up, and the extinction is the mean of all,
+// weighted by themselves.
+vec4 matterOfAll(vec4 texels, Gradients gradients)
+{
+  float total = 0.0;
+  float squares = 0.0;
+  vec3 light = vec3(0.0);
+  for (int i = 0; i < FLATBLOCK_COMPONENTS; ++i)
+  {
+    if (in_Weights[i] > 0.0)
+    {
+      vec4 matter = modulated(matterOf(i, texels[i]), i, gradients);
+      total += in_Weights[i] * matter.a;
+      squares += matter.a * matter.a;
+      light += in_Weights[i] * matter.a * matter.rgb;
+    }
+  }
+  return squares > 0.0 ? vec4(light * (total / squares), squares / total) : vec4(0.0);
+}
+#else
+// The last component is opacity, what is before it is colour. As with vtkGPUVolumeRayCastMapper
+// gradients are those of the first one.
+vec4 matterOfAll(vec4 texels, Gradients gradients)
+{
+  const int Last = FLATBLOCK_COMPONENTS - 1;
+#if FLATBLOCK_COMPONENTS == 4
+  vec3 color = clamp(texels.rgb * in_ColorScale + in_ColorOffset, 0.0, 1.0);
+#else
+  vec3 color = matterOf(0, texels[0]).rgb;
+#endif
+  return modulated(vec4(color, matterOf(Last, texels[Last]).a), 0, gradients);
+}
+#endif
+
+Point pointAt(Brick brick, vec3 position)
+{
+  vec4 texels = texelOf(brick, position);
+#ifdef FLATBLOCK_GRADIENT
+  Gradients gradients = differencesAt(brick, position);
+#else
+  const Gradients gradients = Gradients(0.0);
+#endif
+  Point point;
+  point.matter = matterOfAll(texels, gradients);
+#ifdef FLATBLOCK_HOLES
+  point.isHole = isHole(texels);
+#endif
+  return point;
+}
