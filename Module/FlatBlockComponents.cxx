@@ -62,4 +62,16 @@ void SetComponents(
     SetColors(program, tables);
   }
 }
+
+void SetMask(vtkShaderProgram* program, const RaySampling& sampling, const ComponentTables& tables,
+  const MaskOptions& mask)
+{
+  program->SetUniformi(
+    "in_EntriesPerTable", static_cast<int>(tables.front().Table->GetEntries().size()));
+  program->SetUniformf("in_LowestLabel", static_cast<float>(mask.LowestLabel));
+  if (sampling.Mask == MaskKind::Labels)
+  {
+    program->SetUniformf("in_MaskBlendFactor", static_cast<float>(mask.BlendFactor));
+  }
+}
 } // namespace flatblock

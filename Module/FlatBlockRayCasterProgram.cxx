@@ -17,6 +17,7 @@
 #include "FlatBlockGradientGLSL.h"
 #include "FlatBlockIsosurfacesGLSL.h"
 #include "FlatBlockMarchGLSL.h"
+#include "FlatBlockMaskedGLSL.h"
 #include "FlatBlockPostInterpolationGLSL.h"
 #include "FlatBlockPreIntegratedGLSL.h"
 #include "FlatBlockPreInterpolationGLSL.h"
@@ -45,6 +46,10 @@ std::string GetClassification(const RaySampling& sampling)
   if (!sampling.Blending.IsComposite())
   {
     return FlatBlockValuePointGLSL;
+  }
+  if (sampling.Mask != MaskKind::None)
+  {
+    return std::string(FlatBlockClassifiedPointGLSL) + FlatBlockMaskedGLSL;
   }
   if (sampling.Components > 1)
   {
@@ -96,7 +101,10 @@ std::string GetDefines(
   define(sampling.RefinesImage, "FLATBLOCK_ADAPTIVE_IMAGE");
   define(sampling.IsShaded, "FLATBLOCK_SHADING");
   define(sampling.NeedsGradients(), "FLATBLOCK_GRADIENT");
-  define(sampling.Components == 1 && (sampling.IsShaded || sampling.HasGradientOpacity),
+  define(sampling.Mask != MaskKind::None, "FLATBLOCK_MASK");
+  define(sampling.Mask == MaskKind::Labels, "FLATBLOCK_LABELS");
+  define((sampling.Components == 1 || sampling.Mask != MaskKind::None) &&
+           (sampling.IsShaded || sampling.HasGradientOpacity),
     "FLATBLOCK_MODULATED");
   define(sampling.AreIndependent, "FLATBLOCK_INDEPENDENT");
   if (sampling.Components > 1)

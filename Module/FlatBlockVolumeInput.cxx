@@ -136,6 +136,29 @@ Components GetComponents(
   return components;
 }
 
+void SetMask(vtkFlatBlockDataMapper& mapper, VolumeInput& input)
+{
+  input.Mask = mapper.GetMaskInput();
+  input.HasLabels = mapper.GetMaskType() == vtkFlatBlockDataMapper::LabelMapMaskType;
+  if (!input.Mask)
+  {
+    return;
+  }
+  vtkDataArray* labels = input.Mask->GetPointData()->GetScalars();
+  if (!labels || labels->GetNumberOfComponents() != 1 ||
+      labels->GetNumberOfTuples() != input.Scalars->GetNumberOfTuples())
+  {
+    Refuse("The mask needs point scalars of one component and ", input.Scalars->GetNumberOfTuples(),
+      " values, not ", labels ? labels->GetNumberOfTuples() : 0, " of ",
+      labels ? labels->GetNumberOfComponents() : 0, ".");
+  }
+  if (input.Components.Numbers.size() > 1 ||
+      mapper.GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    Refuse("A mask is drawn with one component and composite blending only.");
+  }
+}
+
 void SetGeometry(VolumeInput& input)
 {
   const int* extent = input.Image->GetExtent();
@@ -165,6 +188,7 @@ VolumeInput GetVolumeInput(vtkFlatBlockDataMapper& mapper, vtkVolumeProperty* pr
   CheckGeometry(input.Image);
   SetScalars(mapper, input);
   input.Components = GetComponents(mapper, input.Scalars, property);
+  SetMask(mapper, input);
   SetGeometry(input);
   return input;
 }

@@ -31,6 +31,8 @@ struct VolumeInput
   vtkDataArray* Scalars = nullptr;
   bool IsCellData = false; ///< samples are the cells, with one more around on each side
   flatblock::Components Components;
+  vtkImageData* Mask = nullptr;                  ///< as large, with one component of scalars
+  bool HasLabels = false;                        ///< in the mask
   vtkSmartPointer<vtkMatrix4x4> SampleToDataSet; ///< indices start at (0, 0, 0)
   double SmallestSpacing = 0.0;
   double Diagonal = 0.0; ///< of the box of samples, in the data set's unit of length

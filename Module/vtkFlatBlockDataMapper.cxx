@@ -3,10 +3,23 @@
 vtkFlatBlockDataMapper::vtkFlatBlockDataMapper() = default;
 vtkFlatBlockDataMapper::~vtkFlatBlockDataMapper() = default;
 
+void vtkFlatBlockDataMapper::SetMaskInput(vtkImageData* mask)
+{
+  if (this->MaskInput != mask)
+  {
+    this->MaskInput = mask;
+    this->Modified();
+  }
+}
+
 void vtkFlatBlockDataMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const char* const modes[] = { "Disabled", "Magnitude", "Component" };
   os << indent << "VectorMode: " << modes[this->VectorMode - DISABLED] << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "MaskInput: " << this->MaskInput << "\n";
+  os << indent << "MaskType: " << (this->MaskType == BinaryMaskType ? "Binary" : "LabelMap")
+     << "\n";
+  os << indent << "MaskBlendFactor: " << this->MaskBlendFactor << "\n";
 }

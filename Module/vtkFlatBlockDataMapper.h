@@ -20,6 +20,8 @@
 #define vtkFlatBlockDataMapper_h
 
 #include "vtkFlatBlockVolumeRenderingModule.h" // for the export macro
+#include "vtkImageData.h"                      // for its smart pointer
+#include "vtkSmartPointer.h"
 #include "vtkVolumeMapper.h"
 
 class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockDataMapper : public vtkVolumeMapper
@@ -54,12 +56,45 @@ public:
   vtkGetMacro(VectorComponent, int);
   ///@}
 
+  enum MaskTypes
+  {
+    BinaryMaskType,
+    LabelMapMaskType
+  };
+
+  ///@{
+  /**
+   * A mask, of one component and as many points as there are values (cells, of cell data); none by
+   * default. Its nearest value counts. Binary: where it is 0, nothing is drawn. LabelMap (default):
+   * numbers of functions in vtkVolumeProperty::SetLabelColor() and SetLabelScalarOpacity(), up to
+   * 255 of them; what has none of either, or is 0, has the default ones. With composite blending of
+   * one component; anything else is an error.
+   */
+  virtual void SetMaskInput(vtkImageData* mask);
+  vtkImageData* GetMaskInput() const { return this->MaskInput; }
+  vtkSetClampMacro(MaskType, int, BinaryMaskType, LabelMapMaskType);
+  vtkGetMacro(MaskType, int);
+  void SetMaskTypeToBinary() { this->SetMaskType(BinaryMaskType); }
+  void SetMaskTypeToLabelMap() { this->SetMaskType(LabelMapMaskType); }
+  ///@}
+
+  ///@{
+  /**
+   * How much a label's functions count, against the default ones: 0 to 1 (default).
+   */
+  vtkSetClampMacro(MaskBlendFactor, float, 0.0F, 1.0F);
+  vtkGetMacro(MaskBlendFactor, float);
+  ///@}
+
 protected:
   vtkFlatBlockDataMapper();
   ~vtkFlatBlockDataMapper() override;
 
   int VectorMode = DISABLED;
   int VectorComponent = 0;
+  vtkSmartPointer<vtkImageData> MaskInput;
+  int MaskType = LabelMapMaskType;
+  float MaskBlendFactor = 1.0F;
 
 private:
   vtkFlatBlockDataMapper(const vtkFlatBlockDataMapper&) = delete;

@@ -9,6 +9,7 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -116,7 +117,49 @@ Array Surround(const Array& values, const flatblock::Index3& cells)
   }
   return padded;
 }
+
+Array NumberLabels(const Array& mask, const std::vector<int>& labels, bool hasLabels)
+{
+  auto numbers = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  numbers->SetNumberOfTuples(mask->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < mask->GetNumberOfTuples(); ++i)
+  {
+    const double value = mask->GetComponent(i, 0);
+    const auto place = std::find(labels.begin(), labels.end(), value);
+    const bool isFound = place != labels.end() && value != 0.0;
+    const auto number = isFound ? place - labels.begin() + 1 : 0;
+    numbers->SetValue(i, static_cast<unsigned char>(hasLabels ? number : (value != 0.0 ? 1 : 0)));
+  }
+  return numbers;
+}
 } // namespace
+
+void vtkFlatBlockScalars::UpdateMask(
+  const flatblock::VolumeInput& input, const std::vector<int>& labels)
+{
+  Array mask = UnpackBits(input.Mask->GetPointData()->GetScalars());
+  const void* samples = mask->GetVoidPointer(0);
+  const vtkMTimeType time = std::max(input.Mask->GetMTime(), input.Image->GetMTime());
+  if (this->Values && this->BuiltSamples == samples && this->BuiltImageTime == time &&
+      this->BuiltLabels == labels && this->BuiltWithLabels == input.HasLabels)
+  {
+    return;
+  }
+  this->Values = NumberLabels(mask, labels, input.HasLabels);
+  input.Image->GetDimensions(this->Samples.data());
+  if (input.IsCellData)
+  {
+    const flatblock::Index3 cells = { this->Samples[0] - 1, this->Samples[1] - 1,
+      this->Samples[2] - 1 };
+    this->Values = Surround(this->Values, cells);
+    this->Samples = { cells[0] + 2, cells[1] + 2, cells[2] + 2 };
+  }
+  this->BuiltSamples = samples;
+  this->BuiltImageTime = time;
+  this->BuiltLabels = labels;
+  this->BuiltWithLabels = input.HasLabels;
+  this->Modified();
+}
 
 void vtkFlatBlockScalars::Update(const flatblock::VolumeInput& input, int component)
 {

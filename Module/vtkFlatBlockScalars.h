@@ -15,6 +15,8 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h"
 
+#include <vector>
+
 namespace flatblock
 {
 struct VolumeInput;
@@ -36,6 +38,12 @@ public:
    * @param component  of the input's array, or Magnitude
    */
   void Update(const flatblock::VolumeInput& input, int component);
+
+  /**
+   * The input's mask: bytes, 0 where it is 0 or has a label that is not among these, and from 1 on
+   * the place of the label; of a binary mask 1 where it is not 0.
+   */
+  void UpdateMask(const flatblock::VolumeInput& input, const std::vector<int>& labels);
 
   /**
    * Valid after Update(): the values, x fastest, and how many an axis.
@@ -69,6 +77,8 @@ private:
   const void* BuiltSamples = nullptr; // only compared with
   vtkMTimeType BuiltImageTime = 0;
   int BuiltComponent = 0;
+  std::vector<int> BuiltLabels;
+  bool BuiltWithLabels = false;
 };
 
 #endif

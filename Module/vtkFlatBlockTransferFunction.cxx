@@ -65,32 +65,6 @@ bool BecomesOpaque(vtkPiecewiseFunction* opacity, const flatblock::ValueRange& r
   return isBelow && isOpaque;
 }
 
-// Fine enough for the closest pair of nodes, with an entry at every integer where there is room.
-int CountEntries(vtkVolumeProperty* property, int component, const flatblock::ValueRange& range)
-{
-  if (flatblock::HasTwoDimensions(property))
-  {
-    return property->GetTransferFunction2D(component)->GetDimensions()[0];
-  }
-  const double span = range.Highest - range.Lowest;
-  if (span <= 0.0)
-  {
-    return 2;
-  }
-  int wanted = EstimateEntries(property->GetScalarOpacity(component), range);
-  if (property->GetColorChannels(component) != 1)
-  {
-    wanted = std::max(wanted, EstimateEntries(property->GetRGBTransferFunction(component), range));
-  }
-  if (span == std::floor(span) && span < MostEntries)
-  {
-    const int steps = static_cast<int>(span);
-    const int repeats = std::max(1, std::min((wanted - 2) / steps + 1, (MostEntries - 1) / steps));
-    return steps * repeats + 1;
-  }
-  return BecomesOpaque(property->GetScalarOpacity(component), range) ? MostEntries : wanted;
-}
-
 // vtkColorTransferFunction::GetTable() leaves the entry that falls on the first node black where
 // there are entries before it; GetColor() does not.
 void RepairFirstNode(vtkColorTransferFunction* function, const flatblock::ValueRange& range,
@@ -212,19 +186,47 @@ void CheckNodes(vtkVolumeProperty* property, int component)
 }
 } // namespace
 
+// Fine enough for the closest pair of nodes, with an entry at every integer where there is room.
+int vtkFlatBlockTransferFunction::CountEntries(
+  vtkVolumeProperty* property, int component, const flatblock::ValueRange& range)
+{
+  if (flatblock::HasTwoDimensions(property))
+  {
+    return property->GetTransferFunction2D(component)->GetDimensions()[0];
+  }
+  const double span = range.Highest - range.Lowest;
+  if (span <= 0.0)
+  {
+    return 2;
+  }
+  int wanted = EstimateEntries(property->GetScalarOpacity(component), range);
+  if (property->GetColorChannels(component) != 1)
+  {
+    wanted = std::max(wanted, EstimateEntries(property->GetRGBTransferFunction(component), range));
+  }
+  if (span == std::floor(span) && span < MostEntries)
+  {
+    const int steps = static_cast<int>(span);
+    const int repeats = std::max(1, std::min((wanted - 2) / steps + 1, (MostEntries - 1) / steps));
+    return steps * repeats + 1;
+  }
+  return BecomesOpaque(property->GetScalarOpacity(component), range) ? MostEntries : wanted;
+}
+
 bool vtkFlatBlockTransferFunction::Update(vtkVolumeProperty* property, int component,
-  const flatblock::ValueRange& range, double unitOfLength, const flatblock::Blending& blending)
+  const flatblock::ValueRange& range, double unitOfLength, const flatblock::Blending& blending,
+  int fewestEntries)
 {
   const vtkMTimeType edited = GetLastEdit(property, component);
   if (this->BuiltProperty == property && this->BuiltComponent == component &&
-      this->BuiltTime == edited && this->BuiltUnit == unitOfLength &&
-      this->BuiltBlending == blending && this->Table.GetLowest() == range.Lowest &&
-      this->Table.GetHighest() == range.Highest)
+      this->BuiltTime == edited && this->BuiltFewest == fewestEntries &&
+      this->BuiltUnit == unitOfLength && this->BuiltBlending == blending &&
+      this->Table.GetLowest() == range.Lowest && this->Table.GetHighest() == range.Highest)
   {
     return false;
   }
   CheckNodes(property, component);
-  const int count = CountEntries(property, component, range);
+  const int count = std::max(CountEntries(property, component, range), fewestEntries);
   const auto [colors, opacities] = SampleFunctions(property, component, range, count);
   const double distance =
     blending.IsComposite() ? property->GetScalarOpacityUnitDistance(component) / unitOfLength : 1.0;
@@ -239,6 +241,7 @@ bool vtkFlatBlockTransferFunction::Update(vtkVolumeProperty* property, int compo
   this->BuiltBlending = blending;
   this->BuiltProperty = property;
   this->BuiltComponent = component;
+  this->BuiltFewest = fewestEntries;
   this->BuiltTime = edited;
   this->BuiltUnit = unitOfLength;
   this->Modified();

@@ -29,11 +29,18 @@ public:
    * `unitOfLength`; where blending is not composite, as that of the length 1. Has entries at every
    * integer of ranges up to 8191, and as many as the nodes of the functions ask for, from 1024 to
    * 8192.
+   * @param fewestEntries  that the table has, whatever else
    * @return whether the table was built anew
    * @throws std::runtime_error where a node of the functions is not a number
    */
   bool Update(vtkVolumeProperty* property, int component, const flatblock::ValueRange& range,
-    double unitOfLength, const flatblock::Blending& blending);
+    double unitOfLength, const flatblock::Blending& blending, int fewestEntries = 2);
+
+  /**
+   * Entries that a table has otherwise.
+   */
+  static int CountEntries(
+    vtkVolumeProperty* property, int component, const flatblock::ValueRange& range);
 
   /**
    * Samples the same as people see it, with the opacity of the unit distance: so it does not depend
@@ -67,6 +74,7 @@ private:
   int BuiltComponent = 0;
   vtkMTimeType BuiltTime = 0;
   double BuiltUnit = 0.0;
+  int BuiltFewest = 0;
   flatblock::Blending BuiltBlending;
 
   flatblock::ClassifiedTable Classified;

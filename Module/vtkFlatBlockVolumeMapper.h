@@ -351,7 +351,7 @@ private:
   void ReportOnce(const char* error);
   void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);
   void UpdateBlocks();
-  void UpdateTransferTable(vtkVolume* volume);
+  void UpdateTransferTable();
   void ReportProgress();
   void UpdateAtlas(vtkRenderer* renderer, vtkVolume* volume);
   bool TryAtlas(vtkRenderer* renderer, vtkVolume* volume);

@@ -7,12 +7,15 @@
 
 // All anew where they are others than before: so whatever was made of them is out of date.
 void vtkFlatBlockVolumeMapper::vtkInternals::SetChannels(
-  const flatblock::Components& components, vtkVolumeProperty* property)
+  const flatblock::VolumeInput& input, vtkVolumeProperty* property)
 {
+  const flatblock::Components& components = input.Components;
   const std::size_t count = std::max<std::size_t>(components.Numbers.size(), 1);
-  if (this->Channels.size() != count || this->AreIndependent != components.AreIndependent)
+  if (this->Channels.size() != count || this->AreIndependent != components.AreIndependent ||
+      (this->Mask != nullptr) != (input.Mask != nullptr))
   {
     this->Channels.clear();
+    this->Mask = input.Mask ? std::make_unique<flatblock::MaskChannel>() : nullptr;
     this->Interleaved.reset();
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -32,25 +35,51 @@ void vtkFlatBlockVolumeMapper::vtkInternals::SetChannels(
   this->TransferFunction = this->Channels[lead]->TransferFunction;
 }
 
+void vtkFlatBlockVolumeMapper::vtkInternals::UpdateFunctions()
+{
+  std::vector<flatblock::ValueRange> ranges;
+  for (const auto& channel : this->Channels)
+  {
+    ranges.push_back(channel->Builder->GetRange());
+  }
+  if (this->Mask)
+  {
+    this->UpdateLabelFunctions();
+  }
+  for (std::size_t i = 0; i < this->Channels.size() && !this->Mask; ++i)
+  {
+    this->Channels[i]->TransferFunction->Update(this->Property,
+      this->AreIndependent ? static_cast<int>(i) : 0, ranges[i], this->Sampling.UnitOfLength,
+      this->Sampling.Blending);
+  }
+  this->GradientFunction->Update(
+    this->Property, ranges, this->AreIndependent, this->Sampling.UnitOfLength);
+}
+
 // Whether there are other bricks than before.
 bool vtkFlatBlockVolumeMapper::vtkInternals::UpdateBuilders(
   int blockSize, const vtkFlatBlockBuilder::Bricks& bricks)
 {
-  bool isNew = false;
+  bool isNew = this->Mask && this->UpdateMask(blockSize, bricks);
   for (std::size_t i = 0; i < this->Channels.size(); ++i)
   {
     const flatblock::Channel& channel = *this->Channels[i];
     channel.Scalars->Update(this->Input, this->Input.Components.Numbers[i]);
     isNew = channel.Builder->Update(channel.Scalars, blockSize, bricks) || isNew;
   }
-  if (isNew && this->Channels.size() > 1)
+  if (isNew && !this->IsPlain())
   {
     std::vector<const flatblock::BrickSource*> sources;
     for (const auto& channel : this->Channels)
     {
       sources.push_back(&channel->Builder->GetSource());
     }
-    this->Interleaved = std::make_unique<flatblock::InterleavedBricks>(std::move(sources));
+    if (this->Mask)
+    {
+      sources.push_back(&this->Mask->Builder->GetSource());
+    }
+    this->Interleaved =
+      std::make_unique<flatblock::InterleavedBricks>(std::move(sources), this->Mask != nullptr);
   }
   return isNew;
 }
@@ -77,6 +106,10 @@ vtkMTimeType vtkFlatBlockVolumeMapper::vtkInternals::GetFunctionTime() const
   {
     time = std::max(time, channel->TransferFunction->GetMTime());
   }
+  for (std::size_t i = 0; this->Mask && i < this->Mask->Labels.size(); ++i)
+  {
+    time = std::max(time, this->Mask->Labels[i]->TransferFunction->GetMTime());
+  }
   return time;
 }
 
@@ -87,6 +120,11 @@ flatblock::ComponentTables vtkFlatBlockVolumeMapper::vtkInternals::GetTables() c
   {
     components.push_back({ &channel->TransferFunction->GetTable(),
       channel->Builder->GetSource().GetEncoding(), channel->Weight });
+  }
+  for (std::size_t i = 0; this->Mask && i < this->Mask->Labels.size(); ++i)
+  {
+    components.push_back({ &this->Mask->Labels[i]->TransferFunction->GetTable(),
+      this->Builder->GetSource().GetEncoding(), 1.0 });
   }
   return components;
 }
@@ -99,6 +137,10 @@ bool vtkFlatBlockVolumeMapper::vtkInternals::IsBlockVisible(std::size_t block) c
     return !channel.TransferFunction->GetDecisiveValues().IsTransparent(
       range.Lowest, range.Highest);
   };
+  if (this->Mask)
+  {
+    return this->IsMaskedBlockVisible(block);
+  }
   if (!this->AreIndependent)
   {
     return shows(*this->Channels.back());
@@ -114,7 +156,8 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateVisibleBlocks()
   {
     weights.push_back(channel->Weight);
   }
-  if (std::max(this->GetFunctionTime(), this->Builder->GetMTime()) < this->VisibleBlocksTime &&
+  if (std::max({ this->GetFunctionTime(), this->Builder->GetMTime(),
+        this->Mask ? this->Mask->Builder->GetMTime() : 0 }) < this->VisibleBlocksTime &&
       weights == this->VisibleWeights)
   {
     return;

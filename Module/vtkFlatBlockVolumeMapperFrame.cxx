@@ -44,21 +44,21 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
       return;
     }
   }
-  in.SetChannels(in.Input.Components, in.Property);
+  in.SetChannels(in.Input, in.Property);
   this->AdjustSampling(renderer, volume);
   in.Statistics = flatblock::FrameStatistics{ 0, 0, in.Statistics.FramesSinceChange + 1 };
   this->UpdateBlocks();
   this->WarnAboutIgnoredSettings();
   this->WarnAboutSamples();
-  this->UpdateTransferTable(volume);
+  this->UpdateTransferTable();
   in.ChooseCubes(this->Skipping, this->MaxMemoryInBytes);
   this->UpdateAtlas(renderer, volume);
   vtkFlatBlockSkipMap::Settings settings;
   settings.IsFiltered = this->LevelFilter == TENT;
   const bool isComposite = in.Sampling.Blending.IsComposite();
-  settings.LeapsMatter = this->HomogeneousLeaps && !in.Sampling.NeedsGradients() && isComposite &&
-                         in.Channels.size() == 1;
-  settings.Tolerance = isComposite && in.Channels.size() == 1 ? this->VariationTolerance : 0.0;
+  settings.LeapsMatter =
+    this->HomogeneousLeaps && !in.Sampling.NeedsGradients() && isComposite && in.IsPlain();
+  settings.Tolerance = isComposite && in.IsPlain() ? this->VariationTolerance : 0.0;
   in.UpdateSkipMap(settings);
   in.UpdateBrickRanges();
   in.UpdateGradientTable();
@@ -93,6 +93,10 @@ void vtkFlatBlockVolumeMapper::CastRays(vtkRenderer* renderer, vtkVolume* volume
   vtkOpenGLFlatBlockRayCaster::Scene scene;
   scene.Source = &in.GetSource();
   scene.Tables = in.GetTables();
+  if (in.Mask)
+  {
+    scene.Mask = { in.Mask->Builder->GetSource().GetEncoding().Offset, this->MaskBlendFactor };
+  }
   scene.Atlas = in.Atlas;
   scene.SampleToDataSet = in.Input.SampleToDataSet;
   scene.DataSetToWorld = volume->GetMatrix();
@@ -134,7 +138,7 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
   vtkFlatBlockBuilder::Bricks bricks;
   bricks.Filter =
     this->LevelFilter == TENT ? flatblock::LevelFilter::Tent : flatblock::LevelFilter::Subsample;
-  bricks.Bits = in.Channels.size() == 1 ? this->AtlasPrecision : NATIVE;
+  bricks.Bits = in.IsPlain() ? this->AtlasPrecision : NATIVE;
   bricks.Apron = in.Sampling.GetApron();
   if (in.UpdateBuilders(this->BlockSize, bricks))
   {
@@ -147,21 +151,11 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
 }
 
 // The table, and the blocks that it shows.
-void vtkFlatBlockVolumeMapper::UpdateTransferTable(vtkVolume* volume)
+void vtkFlatBlockVolumeMapper::UpdateTransferTable()
 {
   vtkInternals& in = *this->Internals;
   flatblock::StageTimer timer(in.Statistics.RangeMilliseconds);
-  std::vector<flatblock::ValueRange> ranges;
-  for (std::size_t i = 0; i < in.Channels.size(); ++i)
-  {
-    const flatblock::Channel& channel = *in.Channels[i];
-    ranges.push_back(channel.Builder->GetRange());
-    channel.TransferFunction->Update(volume->GetProperty(),
-      in.Sampling.AreIndependent ? static_cast<int>(i) : 0, ranges.back(), in.Sampling.UnitOfLength,
-      in.Sampling.Blending);
-  }
-  in.GradientFunction->Update(
-    volume->GetProperty(), ranges, in.Sampling.AreIndependent, in.Sampling.UnitOfLength);
+  in.UpdateFunctions();
   in.UpdateVisibleBlocks();
 }
 
@@ -206,7 +200,7 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
     flatblock::GetVolumeView(renderer, volume, this, in.Input, point);
   const bool isWeighted = isLimited && this->VisibilityWeighting && view.HasPlainCamera &&
                           in.Sampling.Blending.IsComposite() && !in.Sampling.HasGradientTable() &&
-                          in.Channels.size() == 1;
+                          in.IsPlain();
   if (isWeighted)
   {
     in.UpdateClassified();

@@ -67,6 +67,21 @@ struct Channel
   double Weight = 1.0; ///< in the picture
 };
 
+/// A mask, and the functions of its labels.
+struct MaskChannel
+{
+  struct Label
+  {
+    int Number = 0;
+    vtkNew<vtkVolumeProperty> Property;
+    vtkNew<vtkFlatBlockTransferFunction> TransferFunction;
+  };
+
+  vtkNew<vtkFlatBlockScalars> Scalars;
+  vtkNew<vtkFlatBlockBuilder> Builder;
+  std::vector<std::unique_ptr<Label>> Labels;
+};
+
 /// Adds the time until it goes out of scope.
 class StageTimer
 {
@@ -94,16 +109,22 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   {
     this->Atlas->SetMemoryCounter(&this->Memory);
     this->RayCaster->SetMemoryCounter(&this->Memory);
-    this->SetChannels({ {}, false }, nullptr);
+    this->SetChannels({}, nullptr);
   }
 
-  void SetChannels(const flatblock::Components& components, vtkVolumeProperty* property);
+  void SetChannels(const flatblock::VolumeInput& input, vtkVolumeProperty* property);
+  void SetLabels(vtkVolumeProperty* property);
+  bool IsPlain() const { return this->Channels.size() == 1 && !this->Mask; }
+  void UpdateFunctions();
+  void UpdateLabelFunctions();
   bool UpdateBuilders(int blockSize, const vtkFlatBlockBuilder::Bricks& bricks);
   vtkTypeInt64 CountHoles() const;
   vtkMTimeType GetFunctionTime() const;
   const flatblock::BrickSource& GetSource() const;
   flatblock::ComponentTables GetTables() const;
   bool IsBlockVisible(std::size_t block) const;
+  bool IsMaskedBlockVisible(std::size_t block) const;
+  bool UpdateMask(int blockSize, const vtkFlatBlockBuilder::Bricks& bricks);
   void UpdateVisibleBlocks();
 
   void UpdateClassified();
@@ -121,6 +142,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   flatblock::MemoryCounter Memory;                           // outlives those who count in it
   std::vector<std::unique_ptr<flatblock::Channel>> Channels; // at least one
   bool AreIndependent = false;
+  std::unique_ptr<flatblock::MaskChannel> Mask;              // of a single channel
   std::unique_ptr<flatblock::InterleavedBricks> Interleaved; // of several channels
   int Lead = 0;
   // Of the channel that opacity comes from; of several, the weightiest.

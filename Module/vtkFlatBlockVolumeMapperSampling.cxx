@@ -58,9 +58,12 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   sampling.Blending =
     flatblock::GetBlending(this, volume->GetProperty(), static_cast<int>(in.Channels.size()));
   sampling.Method = GetMethod(this->Classification, volume,
-    sampling.Blending.IsComposite() && in.Channels.size() == 1 &&
+    sampling.Blending.IsComposite() && in.IsPlain() &&
       !flatblock::HasTwoDimensions(volume->GetProperty()));
-  sampling.Components = static_cast<int>(in.Channels.size());
+  sampling.Components = static_cast<int>(in.Channels.size()) + (in.Mask ? 1 : 0);
+  sampling.Mask =
+    !in.Mask ? flatblock::MaskKind::None
+             : (in.Input.HasLabels ? flatblock::MaskKind::Labels : flatblock::MaskKind::Binary);
   sampling.AreIndependent = in.Input.Components.AreIndependent;
   sampling.UnitOfOpacity = volume->GetProperty()->GetScalarOpacityUnitDistance();
   sampling.UnitOfLength = in.Input.SmallestSpacing;

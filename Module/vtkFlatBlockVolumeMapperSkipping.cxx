@@ -46,6 +46,10 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateSkipMap(vtkFlatBlockSkipMap::
         parts.push_back({ channel->Builder, channel->TransferFunction });
       }
     }
+    for (std::size_t i = 0; this->Mask && i < this->Mask->Labels.size(); ++i)
+    {
+      parts.push_back({ this->Builder, this->Mask->Labels[i]->TransferFunction });
+    }
     this->SkipMap->Update(parts, this->VisibleBlocks, settings);
   }
   if (!this->RayCaster->HasSkipMap() || this->SkipMap->GetMTime() > this->SkipTextureTime)

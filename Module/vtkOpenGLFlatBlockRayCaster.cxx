@@ -4,7 +4,6 @@
 
 #include "FlatBlockBlending.h"
 #include "FlatBlockClipping.h"
-#include "FlatBlockComponents.h"
 #include "FlatBlockLighting.h"
 #include "FlatBlockRayCasterProgram.h"
 #include "FlatBlockRayGeometry.h"
@@ -191,7 +190,11 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   {
     flatblock::SetSelection(program, *scene.Selection);
   }
-  if (scene.Tables.size() > 1)
+  if (scene.Sampling.Mask != flatblock::MaskKind::None)
+  {
+    flatblock::SetMask(program, scene.Sampling, scene.Tables, scene.Mask);
+  }
+  else if (scene.Sampling.Components > 1)
   {
     flatblock::SetComponents(program, scene.Sampling, scene.Tables);
   }

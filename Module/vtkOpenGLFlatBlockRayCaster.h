@@ -8,6 +8,7 @@
 
 #include "BrickSource.h"
 #include "ComponentTable.h"
+#include "FlatBlockComponents.h"
 #include "FlatBlockSelection.h"
 #include "GradientTable.h"
 #include "MemoryCounter.h"
@@ -52,7 +53,8 @@ public:
     flatblock::ComponentTables Tables; ///< of all components
     vtkVolumeProperty* Material;       ///< where the sampling is shaded
     bool LinearInterpolation;          ///< nearest sample otherwise
-    bool HasHoles;                     ///< cells with a corner that is not finite
+    flatblock::MaskOptions Mask;
+    bool HasHoles; ///< cells with a corner that is not finite
     flatblock::RaySampling Sampling;
     flatblock::Clipping Clipping;
     bool IsOnlyImage = false;                      ///< rays stay in their image

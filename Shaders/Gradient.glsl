@@ -68,7 +68,13 @@ Differences differencesAt(Brick brick, vec3 position)
     (high.z - low.z) / reach.z);
 }
 
-#ifndef FLATBLOCK_COMPONENTS
+#ifdef FLATBLOCK_MASK
+vec3 gradientAt(Brick brick, vec3 position)
+{
+  Differences differences = differencesAt(brick, position);
+  return vec3(differences.x.r, differences.y.r, differences.z.r);
+}
+#elif !defined(FLATBLOCK_COMPONENTS)
 vec3 gradientAt(Brick brick, vec3 position)
 {
   Differences differences = differencesAt(brick, position);

@@ -59,8 +59,8 @@ void Interleave(TexelFormat format, const void* from, std::size_t count, int str
 }
 } // namespace
 
-InterleavedBricks::InterleavedBricks(std::vector<const BrickSource*> sources)
-  : Sources(std::move(sources)), Encoding(this->Sources.front()->GetEncoding())
+InterleavedBricks::InterleavedBricks(std::vector<const BrickSource*> sources, bool isMask)
+  : Sources(std::move(sources)), IsMask(isMask), Encoding(this->Sources.front()->GetEncoding())
 {
   for (const BrickSource* source : this->Sources)
   {
@@ -82,7 +82,9 @@ void InterleavedBricks::ReadBrick(
   {
     const TexelFormat format = this->Sources[i]->GetEncoding().Format;
     brick.resize(count * BytesPerTexel(this->Sources[i]->GetEncoding()));
-    this->Sources[i]->ReadBrick(block, level, border, brick.data());
+    const bool isLast = i + 1 == this->Sources.size();
+    this->Sources[i]->ReadBrick(
+      block, level, this->IsMask && isLast ? BlockBorder{} : border, brick.data());
     switch (this->Encoding.Format)
     {
     case TexelFormat::Unsigned8:

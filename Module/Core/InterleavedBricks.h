@@ -14,7 +14,8 @@ class InterleavedBricks : public BrickSource
 {
 public:
   /// @param sources  2 to 4, of the same grid, without ranges, that outlive this
-  explicit InterleavedBricks(std::vector<const BrickSource*> sources);
+  /// @param isMask   whether the last one's values are not mixed where a border is coarser
+  InterleavedBricks(std::vector<const BrickSource*> sources, bool isMask);
 
   const BlockGrid& GetGrid() const override { return this->Sources.front()->GetGrid(); }
   const TexelEncoding& GetEncoding() const override { return this->Encoding; }
@@ -24,6 +25,7 @@ public:
 
 private:
   std::vector<const BrickSource*> Sources;
+  bool IsMask;
   TexelEncoding Encoding;
 };
 } // namespace flatblock

@@ -21,11 +21,19 @@ struct RayCounts
   double Fetches = 0.0; ///< of textures: bricks, their index, map of leaps, transfer function
 };
 
+enum class MaskKind
+{
+  None,
+  Binary,
+  Labels
+};
+
 struct RaySampling
 {
   flatblock::Blending Blending;
   int Components = 1;
-  bool AreIndependent = false; ///< or colours, and the last one opacity
+  MaskKind Mask = MaskKind::None; ///< the last component
+  bool AreIndependent = false;    ///< or colours, and the last one opacity
   Classification Method = Classification::PreIntegrated;
   double Step = 1.0;         ///< between samples at the finest level, in the data set's unit
   double UnitOfLength = 1.0; ///< of extinctions, in the data set's unit: the smallest spacing
