@@ -28,6 +28,9 @@ struct Lights
   float Ambient[3] = {};
   Vectors Diffuse = {};
   Vectors Specular = {};
+  float Position[MostLights][4] = {};
+  Vectors Attenuation = {};
+  float Cone[MostLights][2] = {};
 };
 
 void Append(vtkLight* light, vtkVolumeProperty* material, Lights& lights)
@@ -55,7 +58,32 @@ void Append(vtkLight* light, vtkVolumeProperty* material, Lights& lights)
   }
 }
 
-Lights GetLights(vtkRenderer* renderer, vtkVolumeProperty* material)
+bool IsPositional(vtkLight* light)
+{
+  return light->GetPositional() != 0 && !light->LightTypeIsHeadlight();
+}
+
+// An angle of more than 90 degrees is no cone, but all around.
+void SetPlace(vtkLight* light, const double origin[3], int i, Lights& lights)
+{
+  constexpr double Widest = 90.0;
+  double position[3];
+  light->GetTransformedPosition(position);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lights.Position[i][axis] = static_cast<float>(position[axis] - origin[axis]);
+    lights.Attenuation[i][axis] = static_cast<float>(light->GetAttenuationValues()[axis]);
+  }
+  lights.Position[i][3] = 1.0F;
+  const double angle = light->GetConeAngle();
+  const bool isCone = angle <= Widest;
+  lights.Cone[i][0] =
+    isCone ? static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(angle))) : -2.0F;
+  lights.Cone[i][1] = isCone ? static_cast<float>(light->GetExponent()) : 0.0F;
+}
+
+// @param origin  the first sample in world coordinates
+Lights GetLights(vtkRenderer* renderer, vtkVolumeProperty* material, const double origin[3])
 {
   Lights lights;
   vtkLightCollection* all = renderer->GetLights();
@@ -66,6 +94,10 @@ Lights GetLights(vtkRenderer* renderer, vtkVolumeProperty* material)
     if (light->GetSwitch() != 0 && lights.Count < MostLights)
     {
       Append(light, material, lights);
+      if (IsPositional(light))
+      {
+        SetPlace(light, origin, lights.Count - 1, lights);
+      }
     }
   }
   if (lights.Count == 1 && std::equal(lights.Direction[0], lights.Direction[0] + 3, NoDirection))
@@ -90,6 +122,21 @@ void SetGradientToWorld(vtkShaderProgram* program, vtkMatrix4x4* sampleToWorld)
   SetDirections(program, "in_GradientToWorld", normals, largest);
 }
 } // namespace
+
+bool HasPositionalLights(vtkRenderer* renderer)
+{
+  vtkLightCollection* all = renderer->GetLights();
+  vtkCollectionSimpleIterator place;
+  all->InitTraversal(place);
+  while (vtkLight* light = all->GetNextLight(place))
+  {
+    if (light->GetSwitch() != 0 && IsPositional(light))
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 void SetGradientScale(
   vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, const ComponentTables& tables)
@@ -122,9 +169,17 @@ void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProp
   vtkMatrix4x4* sampleToWorld)
 {
   SetGradientToWorld(program, sampleToWorld);
-  const Lights lights = GetLights(renderer, material);
+  const double origin[3] = { sampleToWorld->GetElement(0, 3), sampleToWorld->GetElement(1, 3),
+    sampleToWorld->GetElement(2, 3) };
+  const Lights lights = GetLights(renderer, material, origin);
   program->SetUniformi("in_Lights", lights.Count);
   program->SetUniform3fv("in_LightDirection", MostLights, lights.Direction);
+  if (HasPositionalLights(renderer))
+  {
+    program->SetUniform4fv("in_LightPosition", MostLights, lights.Position);
+    program->SetUniform3fv("in_LightAttenuation", MostLights, lights.Attenuation);
+    program->SetUniform2fv("in_LightCone", MostLights, lights.Cone);
+  }
   program->SetUniform3fv("in_LightDiffuse", MostLights, lights.Diffuse);
   program->SetUniform3fv("in_LightSpecular", MostLights, lights.Specular);
   program->SetUniform3f("in_Ambient", lights.Ambient);

@@ -10,11 +10,14 @@ class vtkVolumeProperty;
 
 namespace flatblock
 {
-/// At most six lights that are switched on, as vtkGPUVolumeRayCastMapper has them. One with a
-/// position counts as far away, in its own direction. Ambient light is that of the lights, but a
+/// At most six lights that are switched on, as vtkGPUVolumeRayCastMapper has them: headlights, lights
+/// far away, and positional ones with attenuation and cone. Ambient light is that of the lights, but a
 /// headlight alone is taken to have a white one, whatever it says.
 void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProperty* material,
   vtkMatrix4x4* sampleToWorld);
+
+/// Whether a light that is switched on has a position.
+bool HasPositionalLights(vtkRenderer* renderer);
 
 /// How gradients, in texels a sample, become magnitudes of a GradientTable: the uniforms of
 /// Gradient.glsl.

@@ -1,4 +1,5 @@
 #include "FlatBlockBlending.h"
+#include "FlatBlockLighting.h"
 #include "RoundUp.h"
 #include "vtkFlatBlockVolumeMapperInternals.h"
 
@@ -87,6 +88,7 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
                                 sampling.Blending.IsComposite();
   sampling.IsTwoDimensional = flatblock::HasTwoDimensions(volume->GetProperty()) &&
                               sampling.Blending.IsComposite() && sampling.Components == 1;
+  sampling.HasPositionalLights = sampling.IsShaded && flatblock::HasPositionalLights(renderer);
   sampling.ShadingThreshold = this->ShadingOpacityThreshold;
   sampling.MostSamples = this->MaximumNumberOfSamples;
   sampling.CountsSamples = this->CountSamples;

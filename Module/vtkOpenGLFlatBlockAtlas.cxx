@@ -119,8 +119,12 @@ bool vtkOpenGLFlatBlockAtlas::Execute(vtkOpenGLRenderWindow* window,
 bool vtkOpenGLFlatBlockAtlas::Allocate(vtkOpenGLRenderWindow* window, const flatblock::Index3& size,
   const flatblock::TexelEncoding& texels)
 {
-  this->ReleaseGraphicsResources(window);
   const GLFormat gl = GetGLFormat(texels);
+  if (this->Bricks->GetHandle() != 0 && this->Size == size && this->InternalFormat == gl.Internal)
+  {
+    return true; // of another step in time, say
+  }
+  this->ReleaseGraphicsResources(window);
   this->Bricks->SetContext(window);
   this->Bricks->SetInternalFormat(gl.Internal);
   this->Bricks->SetFormat(gl.Format);
@@ -143,6 +147,8 @@ bool vtkOpenGLFlatBlockAtlas::Allocate(vtkOpenGLRenderWindow* window, const flat
   }
   this->BrickBytes.Set(
     static_cast<std::int64_t>(flatblock::BytesPerTexel(texels)) * size[0] * size[1] * size[2]);
+  this->Size = size;
+  this->InternalFormat = gl.Internal;
   return true;
 }
 

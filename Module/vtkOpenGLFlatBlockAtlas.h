@@ -89,6 +89,8 @@ private:
 
   vtkNew<vtkTextureObject> Bricks;
   vtkNew<vtkTextureObject> BlockIndex;
+  flatblock::Index3 Size = { 0, 0, 0 }; // of the bricks' texture
+  unsigned int InternalFormat = 0;
   flatblock::CountedBytes BrickBytes;
   flatblock::CountedBytes IndexBytes;
   vtkTypeInt64 UploadedBytes = 0;

@@ -29,7 +29,7 @@ vec4 matterOf(int component, float texel)
 }
 
 // What the gradient of a component does to its matter.
-vec4 modulated(vec4 matter, int component, Gradients gradients)
+vec4 modulated(vec4 matter, int component, Gradients gradients, vec3 position)
 {
 #ifdef FLATBLOCK_GRADIENT
   vec3 gradient =
@@ -39,7 +39,7 @@ vec4 modulated(vec4 matter, int component, Gradients gradients)
   matter.a *= lookUpGradient(across, component, gradient).r;
 #endif
 #ifdef FLATBLOCK_SHADING
-  matter.rgb = lit(vec4(matter.rgb, 1.0), lightOn(gradient, toViewer));
+  matter.rgb = lit(vec4(matter.rgb, 1.0), lightOn(gradient, position));
 #endif
 #endif
   return matter;
@@ -48,7 +48,7 @@ vec4 modulated(vec4 matter, int component, Gradients gradients)
 #ifdef FLATBLOCK_INDEPENDENT
 // Weighted as vtkGPUVolumeRayCastMapper does: light adds up, and the extinction is the mean of all,
 // weighted by themselves.
-vec4 matterOfAll(vec4 texels, Gradients gradients)
+vec4 matterOfAll(vec4 texels, Gradients gradients, vec3 position)
 {
   float total = 0.0;
   float squares = 0.0;
@@ -57,7 +57,7 @@ vec4 matterOfAll(vec4 texels, Gradients gradients)
   {
     if (in_Weights[i] > 0.0)
     {
-      vec4 matter = modulated(matterOf(i, texels[i]), i, gradients);
+      vec4 matter = modulated(matterOf(i, texels[i]), i, gradients, position);
       total += in_Weights[i] * matter.a;
       squares += matter.a * matter.a;
       light += in_Weights[i] * matter.a * matter.rgb;
@@ -68,7 +68,7 @@ vec4 matterOfAll(vec4 texels, Gradients gradients)
 #else
 // The last component is opacity, what is before it is colour. As with vtkGPUVolumeRayCastMapper
 // gradients are those of the first one.
-vec4 matterOfAll(vec4 texels, Gradients gradients)
+vec4 matterOfAll(vec4 texels, Gradients gradients, vec3 position)
 {
   const int Last = FLATBLOCK_COMPONENTS - 1;
 #if FLATBLOCK_COMPONENTS == 4
@@ -76,7 +76,7 @@ vec4 matterOfAll(vec4 texels, Gradients gradients)
 #else
   vec3 color = matterOf(0, texels[0]).rgb;
 #endif
-  return modulated(vec4(color, matterOf(Last, texels[Last]).a), 0, gradients);
+  return modulated(vec4(color, matterOf(Last, texels[Last]).a), 0, gradients, position);
 }
 #endif
 
@@ -89,7 +89,7 @@ Point pointAt(Brick brick, vec3 position)
   const Gradients gradients = Gradients(0.0);
 #endif
   Point point;
-  point.matter = matterOfAll(texels, gradients);
+  point.matter = matterOfAll(texels, gradients, position);
 #ifdef FLATBLOCK_HOLES
   point.isHole = isHole(texels);
 #endif

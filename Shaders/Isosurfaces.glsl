@@ -51,7 +51,8 @@ vec4 surfaceAt(Ray ray, vec3 origin, Brick brick, float isoValue, float at)
 {
   vec4 color = surfaceOf(isoValue);
 #ifdef FLATBLOCK_SHADING
-  Light light = lightOn(gradientAt(brick, origin + at * ray.direction), toViewer);
+  vec3 position = origin + at * ray.direction;
+  Light light = lightOn(gradientAt(brick, position), position);
   color.rgb = lit(color, light);
 #endif
   return color;

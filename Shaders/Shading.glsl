@@ -5,6 +5,11 @@ const int MostLights = 6;
 uniform mat3 in_GradientToWorld;
 uniform int in_Lights;
 uniform vec3 in_LightDirection[MostLights]; // to the light, in world coordinates; 0: a headlight
+#ifdef FLATBLOCK_POSITIONAL_LIGHTS
+uniform vec4 in_LightPosition[MostLights]; // from the first sample, in world coordinates; w 0: far away
+uniform vec3 in_LightAttenuation[MostLights]; // constant, linear, quadratic, of a distance
+uniform vec2 in_LightCone[MostLights]; // cosine of its half angle, and the exponent within
+#endif
 uniform vec3 in_LightDiffuse[MostLights];   // with the material's
 uniform vec3 in_LightSpecular[MostLights];
 uniform vec3 in_Ambient;
@@ -20,21 +25,45 @@ struct Light
   vec3 specular;  // and what is added to them, for full opacity
 };
 
-Light lightOn(vec3 gradient, vec3 view)
+// Direction to a light, and how much of it arrives.
+vec3 directionTo(int light, vec3 position, out float share)
+{
+  share = 1.0;
+  vec3 direction = in_LightDirection[light];
+  direction = dot(direction, direction) > 0.0 ? direction : toViewer;
+#ifdef FLATBLOCK_POSITIONAL_LIGHTS
+  if (in_LightPosition[light].w > 0.0)
+  {
+    vec3 way = in_LightPosition[light].xyz - in_SampleToWorld * position;
+    float distance = max(length(way), 1e-30);
+    vec3 attenuation = in_LightAttenuation[light];
+    way /= distance;
+    share = 1.0 /
+      max(attenuation.x + distance * (attenuation.y + distance * attenuation.z), 1e-30);
+    vec2 cone = in_LightCone[light];
+    float along = dot(way, direction);
+    share *= along >= cone.x ? pow(max(along, 1e-6), cone.y) : 0.0;
+    direction = way;
+  }
+#endif
+  return direction;
+}
+
+Light lightOn(vec3 gradient, vec3 position)
 {
   vec3 normal = -(in_GradientToWorld * gradient);
   normal /= max(length(normal), 1e-30);
   Light light = Light(in_Ambient, vec3(0.0));
   for (int i = 0; i < in_Lights; ++i)
   {
-    vec3 direction = in_LightDirection[i];
-    direction = dot(direction, direction) > 0.0 ? direction : view;
+    float share;
+    vec3 direction = directionTo(i, position, share);
     float facing = dot(normal, direction);
-    float shining = dot(normal, normalize(direction + view + 1e-12));
+    float shining = dot(normal, normalize(direction + toViewer + 1e-12));
     facing = max(in_TwoSidedLighting ? abs(facing) : facing, 0.0);
     shining = max(in_TwoSidedLighting ? abs(shining) : shining, 1e-6);
-    light.reflected += facing * in_LightDiffuse[i];
-    light.specular += pow(shining, in_SpecularPower) * in_LightSpecular[i];
+    light.reflected += share * facing * in_LightDiffuse[i];
+    light.specular += share * pow(shining, in_SpecularPower) * in_LightSpecular[i];
   }
   return light;
 }

@@ -42,6 +42,7 @@ struct RaySampling
   bool Adaptive = true; ///< the step doubles a level
   int CellsPerCube = 0; ///< along a side, of the map of leaps; 0: there is none
   bool IsShaded = false;
+  bool HasPositionalLights = false;
   bool HasGradientOpacity = false;
   bool IsTwoDimensional = false; ///< colours depend on gradients
   double ShadingThreshold = 0.0; ///< opacity that a piece must be seen with to be lit anew

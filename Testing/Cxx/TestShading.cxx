@@ -127,6 +127,64 @@ TEST(ShadingBy, BlocksOfAnyLevel)
   EXPECT_LE(LargestDifference(mixed, fine), 2e-3);
 }
 
+// A ball whose values fall from its middle on, at levels that lie as they come.
+TEST(ShadingBy, BlocksOfMixedLevelsHasNoSeams)
+{
+  Scene scene;
+  scene.SetVolume(MakeVolume({ 97, 97, 97 }, VTK_FLOAT,
+                    [](int x, int y, int z)
+                    { return 100.0 - std::hypot(x - 48.0, y - 47.0, z - 49.0); }),
+    0.25);
+  scene.SetOpacity({ { 58.0, 0.0 }, { 64.0, 0.6 } });
+  scene.SetColor({ { 0.0, 0.8, 0.6, 0.5 } });
+  scene.Property->ShadeOn();
+  scene.Property->SetSpecular(0.2);
+  scene.Property->SetSpecularPower(10.0);
+  scene.Mapper->SetBlockSize(65);
+  scene.LookFrom(30.0, 20.0);
+  const auto whole = scene.Draw();
+  EXPECT_EQ(scene.Mapper->GetNumberOfBricks(1), 0);
+  scene.Mapper->SetBlockSize(17);
+  scene.Mapper->AdaptiveSamplingOff();
+  scene.Mapper->UseCameraAsPointOfInterestOff();
+  for (const std::array<double, 3>& point : { std::array<double, 3>{ 90.0, 60.0, 80.0 },
+         { 20.0, 90.0, 70.0 }, { 40.0, 10.0, 90.0 } })
+  {
+    scene.Mapper->SetPointOfInterest(point.data());
+    scene.Mapper->SetMaxMemoryInBytes(Beside + 3000000);
+    const auto mixed = scene.Draw();
+    EXPECT_GT(scene.Mapper->GetNumberOfBricks(0), 10);
+    EXPECT_GT(scene.Mapper->GetNumberOfBricks(1), 10);
+    EXPECT_LE(ShareThatDiffers(whole, mixed, 2), 1e-3);
+  }
+}
+
+// Near enough for the distance to matter, and with a cone whose edge is seen.
+TEST(ShadingBy, PositionalLights)
+{
+  for (const double coneAngle : { 180.0, 20.0 })
+  {
+    Scene scene;
+    Show(scene);
+    scene.Property->SetSpecular(0.0); // which is another in VTK
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->PositionalOn();
+    light->SetPosition(70.0, 60.0, 90.0);
+    light->SetFocalPoint(25.0, 27.0, 24.0);
+    light->SetConeAngle(coneAngle);
+    light->SetExponent(2.0);
+    light->SetAttenuationValues(0.5, 0.0, 1e-4);
+    light->SetColor(1.0, 0.9, 0.6);
+    scene.Renderer->RemoveAllLights();
+    scene.Renderer->AddLight(light);
+    const auto near = scene.Draw();
+    EXPECT_GE(PSNR(near, scene.DrawWithPeer()), 33.0) << coneAngle;
+    light->PositionalOff();
+    EXPECT_LE(PSNR(near, scene.Draw()), 30.0);
+  }
+}
+
 // Bricks have an apron only where it is read.
 TEST(ShadingBy, BricksWithAnApron)
 {

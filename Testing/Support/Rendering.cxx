@@ -205,6 +205,28 @@ double LargestDifference(vtkImageData* a, vtkImageData* b)
   return Compare(a, b).Largest;
 }
 
+double ShareThatDiffers(vtkImageData* a, vtkImageData* b, int most)
+{
+  const Bytes first(a);
+  const Bytes second(b);
+  if (first.Count != second.Count)
+  {
+    return 1.0;
+  }
+  vtkIdType different = 0;
+  for (vtkIdType pixel = 0; pixel < first.Count; pixel += 3)
+  {
+    int largest = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      largest = std::max(
+        largest, std::abs(int(first.Begin[pixel + i]) - int(second.Begin[pixel + i])));
+    }
+    different += largest > most ? 1 : 0;
+  }
+  return 3.0 * static_cast<double>(different) / static_cast<double>(first.Count);
+}
+
 bool ShowsSomething(vtkImageData* picture)
 {
   const Bytes bytes(picture);

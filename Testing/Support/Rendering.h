@@ -69,6 +69,9 @@ double PSNR(vtkImageData* a, vtkImageData* b);
 /// Largest difference of a channel, in 1/255.
 double LargestDifference(vtkImageData* a, vtkImageData* b);
 
+/// Share of pixels of which a channel differs by more than so many 255ths.
+double ShareThatDiffers(vtkImageData* a, vtkImageData* b, int most);
+
 /// Whether a picture is not all of one colour: what is compared must show something.
 bool ShowsSomething(vtkImageData* picture);
 
