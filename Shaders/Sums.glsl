@@ -10,11 +10,12 @@ struct Gathered
 {
   float sum;
   float length; // that it was taken over
+  vec2 front;   // what a length adds to both
 };
 
 Gathered nothingGathered()
 {
-  return Gathered(0.0, 0.0);
+  return Gathered(0.0, 0.0, vec2(0.0));
 }
 
 void beginPart(inout Gathered gathered) {}
@@ -50,14 +51,10 @@ bool counts(Point point)
 #endif
 }
 
-// A point stands for half of the pieces that meet in it.
-void add(inout Gathered gathered, Point point, float length)
+vec2 shareOf(Point point)
 {
-  if (counts(point))
-  {
-    gathered.sum += length * surfaceOf(point.value).a * point.value / in_LastEntry;
-    gathered.length += length;
-  }
+  float share = surfaceOf(point.value).a * point.value / in_LastEntry;
+  return counts(point) ? vec2(share, 1.0) : vec2(0.0);
 }
 
 void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 origin, Brick brick,
@@ -67,14 +64,18 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
   {
     see(origin + progress.at * ray.direction);
     findFront(progress, ray, origin);
+    gathered.front = shareOf(progress.front);
   }
+  // A point stands for half of the pieces that meet in it.
   while (goesOn(progress, stretch))
   {
     float target = min(progress.next, stretch.exit);
     float length = 0.5 * (target - progress.at) * ray.unit * in_StepLength;
-    add(gathered, progress.front, length);
     moveTo(progress, pointAt(brick, origin + target * ray.direction), target, brick);
-    add(gathered, progress.front, length);
+    vec2 back = shareOf(progress.front);
+    gathered.sum += length * (gathered.front.x + back.x);
+    gathered.length += length * (gathered.front.y + back.y);
+    gathered.front = back;
     countSample(progress);
   }
 }

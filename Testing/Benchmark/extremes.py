@@ -4,40 +4,11 @@ RENDER_TESTS is the program FlatBlockRenderTests. Its tests of extremes put down
 what came out, and the largest difference of a channel to the double-precision reference.
 """
 
-import datetime
-import os
-import platform
-import subprocess
 import sys
-import tempfile
+
+import records
 
 FILTER = "Extreme*:RandomScenes*"
-
-
-def machine():
-    model = platform.machine()
-    with open("/proc/cpuinfo", encoding="utf-8") as info:
-        for line in info:
-            if line.startswith("model name"):
-                model = line.split(":")[1].strip()
-                break
-    return "%d cores of %s" % (os.cpu_count(), model)
-
-
-def run(tests):
-    with tempfile.TemporaryDirectory() as folder:
-        record = os.path.join(folder, "extremes.tsv")
-        result = subprocess.run(
-            [tests, "--gtest_filter=" + FILTER],
-            env=dict(os.environ, FLATBLOCK_EXTREMES=record),
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            check=False,
-        )
-        if result.returncode != 0:
-            sys.exit("extremes.py: tests failed; nothing is written.")
-        with open(record, encoding="utf-8") as rows:
-            return [line.rstrip("\n").split("\t") for line in rows]
 
 
 def merge(rows):
@@ -52,12 +23,9 @@ def merge(rows):
 
 def write(groups, output):
     with open(output, "w", encoding="utf-8") as page:
-        page.write("# Extremes: what was tried, and what came out\n\n")
-        page.write(
-            "%s, %s, Mesa's llvmpipe.\n\n" % (datetime.date.today().isoformat(), machine())
+        records.write_head(
+            page, "Extremes: what was tried, and what came out", "extremes.py", "docs/extremes.md"
         )
-        page.write("```\nTesting/Support/with-display.sh python3 Testing/Benchmark/extremes.py \\\n")
-        page.write("  build/release/Testing/FlatBlockRenderTests docs/extremes.md\n```\n\n")
         page.write(
             "The error is the largest difference of a channel, colour or opacity, of a float\n"
             "picture to the double-precision reference. Where nothing else is said, steps are half\n"
@@ -74,7 +42,7 @@ def write(groups, output):
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__.splitlines()[0])
-    write(merge(run(sys.argv[1])), sys.argv[2])
+    write(merge(records.run(sys.argv[1], FILTER, "FLATBLOCK_EXTREMES")), sys.argv[2])
 
 
 main()

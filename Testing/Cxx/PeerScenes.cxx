@@ -1,0 +1,42 @@
+#include "PeerScenes.h"
+
+namespace flatblock::testing
+{
+void PrintTo(const PeerScene& scene, std::ostream* stream)
+{
+  *stream << scene.Name;
+}
+
+std::vector<PeerScene> GetPeerScenes()
+{
+  std::vector<PeerScene> all = GetPeerScenesOfBlending();
+  for (const auto& more : { GetPeerScenesOfData(), GetPeerScenesOfViews() })
+  {
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
+
+std::vector<LeftOutScene> GetLeftOutScenes()
+{
+  return {
+    { "FourComponentsAdditive, FourComponentsAverage, FourComponentsMIP, FourComponentsMinIP, "
+      "ThreeComponentsAdditive",
+      "several components are drawn by composite blending only; an error says so" },
+    { "MIPBinaryMask", "masks are drawn by composite blending only; an error says so" },
+    { "MapperRectilinearGrid", "an error names vtkResampleToImage" },
+    { "MultiVolume*", "volumes that overlap are drawn one after the other; vtkMultiVolume takes "
+                      "vtkGPUVolumeRayCastMapper only" },
+    { "Transfer2DYScalars", "rows of 2D functions are gradients" },
+    { "DepthPeelingTransVol", "volumes do not peel: they come after translucent geometry" },
+    { "RenderDepthToImage*, RenderDepthToTexture, RenderToTexture, VolumeDepthPass",
+      "the mapper draws to its window" },
+    { "ComputeNormalFromOpacity", "normals are those of the values" },
+    { "MapperShadows, SSAO", "no global illumination" },
+    { "UserShader*, SurfaceProbe*, JitteringCustom", "VTK's own shaders or noise" },
+    { "FourComponentsCompositeStreaming, TextureStreaming*", "VTK's partitions: blocks do this" },
+    { "MapperBenchmark", "flatblock-bench" },
+    { "VolumePicking", "Selection and Picker, in this suite" },
+  };
+}
+} // namespace flatblock::testing
