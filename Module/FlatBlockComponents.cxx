@@ -27,10 +27,7 @@ void SetColors(vtkShaderProgram* program, const ComponentTables& tables)
   program->SetUniform3f("in_ColorScale", scale);
   program->SetUniform3f("in_ColorOffset", offset);
 }
-} // namespace
-
-void SetComponents(
-  vtkShaderProgram* program, const RaySampling& sampling, const ComponentTables& tables)
+void SetEach(vtkShaderProgram* program, const RaySampling& sampling, const ComponentTables& tables)
 {
   constexpr int Most = 4;
   int firstEntries[Most] = {};
@@ -63,6 +60,16 @@ void SetComponents(
   }
 }
 
+void SetSecondArray(vtkShaderProgram* program, const ComponentTables& tables)
+{
+  const ComponentTable& second = tables.back();
+  const std::array<double, 2> line = GetTexelToTable(second);
+  const double last = static_cast<double>(second.Table->GetEntries().size()) - 1.0;
+  const float toTable[2] = { static_cast<float>(line[0] / last),
+    static_cast<float>(line[1] / last) };
+  program->SetUniform2f("in_SecondToTable", toTable);
+}
+
 void SetMask(vtkShaderProgram* program, const RaySampling& sampling, const ComponentTables& tables,
   const MaskOptions& mask)
 {
@@ -72,6 +79,24 @@ void SetMask(vtkShaderProgram* program, const RaySampling& sampling, const Compo
   if (sampling.Mask == MaskKind::Labels)
   {
     program->SetUniformf("in_MaskBlendFactor", static_cast<float>(mask.BlendFactor));
+  }
+}
+} // namespace
+
+void SetComponents(vtkShaderProgram* program, const RaySampling& sampling,
+  const ComponentTables& tables, const MaskOptions& mask)
+{
+  if (sampling.Mask != MaskKind::None)
+  {
+    SetMask(program, sampling, tables, mask);
+  }
+  else if (sampling.HasSecondArray)
+  {
+    SetSecondArray(program, tables);
+  }
+  else
+  {
+    SetEach(program, sampling, tables);
   }
 }
 } // namespace flatblock

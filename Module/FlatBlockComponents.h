@@ -1,4 +1,5 @@
-/// Several components of texels: the uniforms of Components.glsl and Masked.glsl.
+/// Several components of texels: the uniforms of Components.glsl, Masked.glsl and
+/// TwoDimensional.glsl.
 #pragma once
 
 #include "ComponentTable.h"
@@ -9,16 +10,14 @@ namespace flatblock
 {
 struct RaySampling;
 
-void SetComponents(
-  vtkShaderProgram* program, const RaySampling& sampling, const ComponentTables& tables);
-
 struct MaskOptions
 {
   double LowestLabel = 0.0;
   double BlendFactor = 1.0;
 };
 
-/// Of the tables the first one is that of all values, the others those of labels.
-void SetMask(vtkShaderProgram* program, const RaySampling& sampling, const ComponentTables& tables,
-  const MaskOptions& mask);
+/// Of a mask the first table is that of all values, the others are those of labels; of a second
+/// array the last table's range is its own.
+void SetComponents(vtkShaderProgram* program, const RaySampling& sampling,
+  const ComponentTables& tables, const MaskOptions& mask);
 } // namespace flatblock

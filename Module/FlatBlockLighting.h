@@ -10,9 +10,9 @@ class vtkVolumeProperty;
 
 namespace flatblock
 {
-/// At most six lights that are switched on, as vtkGPUVolumeRayCastMapper has them: headlights, lights
-/// far away, and positional ones with attenuation and cone. Ambient light is that of the lights, but a
-/// headlight alone is taken to have a white one, whatever it says.
+/// At most six lights that are switched on, as vtkGPUVolumeRayCastMapper has them: headlights,
+/// lights far away, and positional ones with attenuation and cone. Ambient light is that of the
+/// lights, but a headlight alone is taken to have a white one, whatever it says.
 void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProperty* material,
   vtkMatrix4x4* sampleToWorld);
 

@@ -47,6 +47,10 @@ std::string GetClassification(const RaySampling& sampling)
   {
     return FlatBlockValuePointGLSL;
   }
+  if (sampling.IsTwoDimensional)
+  {
+    return std::string(FlatBlockClassifiedPointGLSL) + FlatBlockTwoDimensionalGLSL;
+  }
   if (sampling.Mask != MaskKind::None)
   {
     return std::string(FlatBlockClassifiedPointGLSL) + FlatBlockMaskedGLSL;
@@ -54,10 +58,6 @@ std::string GetClassification(const RaySampling& sampling)
   if (sampling.Components > 1)
   {
     return std::string(FlatBlockClassifiedPointGLSL) + FlatBlockComponentsGLSL;
-  }
-  if (sampling.IsTwoDimensional)
-  {
-    return std::string(FlatBlockClassifiedPointGLSL) + FlatBlockTwoDimensionalGLSL;
   }
   if (method == Classification::PreIntegrated)
   {
@@ -104,7 +104,10 @@ std::string GetDefines(
   define(sampling.NeedsGradients(), "FLATBLOCK_GRADIENT");
   define(sampling.Mask != MaskKind::None, "FLATBLOCK_MASK");
   define(sampling.Mask == MaskKind::Labels, "FLATBLOCK_LABELS");
-  define((sampling.Components == 1 || sampling.Mask != MaskKind::None) &&
+  const bool isValueFirst = sampling.Mask != MaskKind::None || sampling.HasSecondArray;
+  define(sampling.HasSecondArray, "FLATBLOCK_SECOND_ARRAY");
+  define(isValueFirst, "FLATBLOCK_VALUE_FIRST");
+  define((sampling.Components == 1 || isValueFirst) &&
            (sampling.IsShaded || sampling.HasGradientOpacity),
     "FLATBLOCK_MODULATED");
   define(sampling.AreIndependent, "FLATBLOCK_INDEPENDENT");

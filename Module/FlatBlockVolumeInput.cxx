@@ -136,6 +136,33 @@ Components GetComponents(
   return components;
 }
 
+void SetSecondScalars(
+  vtkFlatBlockDataMapper& mapper, vtkVolumeProperty* property, VolumeInput& input)
+{
+  const char* name = mapper.GetTransfer2DYAxisArray();
+  if (!name || !*name || property->GetTransferFunctionMode() != vtkVolumeProperty::TF_2D ||
+      mapper.GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    return;
+  }
+  vtkDataSetAttributes* arrays =
+    input.IsCellData ? static_cast<vtkDataSetAttributes*>(input.Image->GetCellData())
+                     : static_cast<vtkDataSetAttributes*>(input.Image->GetPointData());
+  input.SecondScalars = arrays->GetArray(name);
+  if (!input.SecondScalars || input.SecondScalars->GetNumberOfComponents() != 1 ||
+      input.SecondScalars->GetNumberOfTuples() != input.Scalars->GetNumberOfTuples())
+  {
+    Refuse("Transfer2DYAxisArray, '", name,
+      "', is no array of one component beside the one that is "
+      "drawn; there are: ",
+      ListArrays(arrays), ".");
+  }
+  if (input.Components.Numbers.size() > 1 || input.Mask)
+  {
+    Refuse("Transfer2DYAxisArray is drawn with one component and without a mask only.");
+  }
+}
+
 void SetMask(vtkFlatBlockDataMapper& mapper, VolumeInput& input)
 {
   input.Mask = mapper.GetMaskInput();
@@ -189,6 +216,7 @@ VolumeInput GetVolumeInput(vtkFlatBlockDataMapper& mapper, vtkVolumeProperty* pr
   SetScalars(mapper, input);
   input.Components = GetComponents(mapper, input.Scalars, property);
   SetMask(mapper, input);
+  SetSecondScalars(mapper, property, input);
   SetGeometry(input);
   return input;
 }

@@ -31,6 +31,7 @@ struct VolumeInput
   vtkDataArray* Scalars = nullptr;
   bool IsCellData = false; ///< samples are the cells, with one more around on each side
   flatblock::Components Components;
+  vtkDataArray* SecondScalars = nullptr;         ///< rows of 2D functions
   vtkImageData* Mask = nullptr;                  ///< as large, with one component of scalars
   bool HasLabels = false;                        ///< in the mask
   vtkSmartPointer<vtkMatrix4x4> SampleToDataSet; ///< indices start at (0, 0, 0)

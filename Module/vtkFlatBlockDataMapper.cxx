@@ -1,7 +1,10 @@
 #include "vtkFlatBlockDataMapper.h"
 
 vtkFlatBlockDataMapper::vtkFlatBlockDataMapper() = default;
-vtkFlatBlockDataMapper::~vtkFlatBlockDataMapper() = default;
+vtkFlatBlockDataMapper::~vtkFlatBlockDataMapper()
+{
+  this->SetTransfer2DYAxisArray(nullptr);
+}
 
 void vtkFlatBlockDataMapper::SetMaskInput(vtkImageData* mask)
 {
@@ -18,6 +21,8 @@ void vtkFlatBlockDataMapper::PrintSelf(ostream& os, vtkIndent indent)
   const char* const modes[] = { "Disabled", "Magnitude", "Component" };
   os << indent << "VectorMode: " << modes[this->VectorMode - DISABLED] << "\n";
   os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "Transfer2DYAxisArray: "
+     << (this->Transfer2DYAxisArray ? this->Transfer2DYAxisArray : "(none)") << "\n";
   os << indent << "MaskInput: " << this->MaskInput << "\n";
   os << indent << "MaskType: " << (this->MaskType == BinaryMaskType ? "Binary" : "LabelMap")
      << "\n";

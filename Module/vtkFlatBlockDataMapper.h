@@ -56,6 +56,17 @@ public:
   vtkGetMacro(VectorComponent, int);
   ///@}
 
+  ///@{
+  /**
+   * Name of an array whose values are the rows of 2D transfer functions, over their range: of
+   * points or cells, as the array that is drawn, with one component. None (default): rows are
+   * magnitudes of gradients. An error where there is no such array, or the one that is drawn has
+   * several components or a mask.
+   */
+  vtkSetStringMacro(Transfer2DYAxisArray);
+  vtkGetStringMacro(Transfer2DYAxisArray);
+  ///@}
+
   enum MaskTypes
   {
     BinaryMaskType,
@@ -92,6 +103,7 @@ protected:
 
   int VectorMode = DISABLED;
   int VectorComponent = 0;
+  char* Transfer2DYAxisArray = nullptr;
   vtkSmartPointer<vtkImageData> MaskInput;
   int MaskType = LabelMapMaskType;
   float MaskBlendFactor = 1.0F;

@@ -161,9 +161,10 @@ void vtkFlatBlockScalars::UpdateMask(
   this->Modified();
 }
 
-void vtkFlatBlockScalars::Update(const flatblock::VolumeInput& input, int component)
+void vtkFlatBlockScalars::Update(
+  const flatblock::VolumeInput& input, vtkDataArray* array, int component)
 {
-  const void* samples = input.Scalars->GetVoidPointer(0);
+  const void* samples = array->GetVoidPointer(0);
   const vtkMTimeType imageTime = input.Image->GetMTime();
   if (this->Values && this->BuiltSamples == samples && this->BuiltImageTime == imageTime &&
       this->BuiltComponent == component)
@@ -171,7 +172,7 @@ void vtkFlatBlockScalars::Update(const flatblock::VolumeInput& input, int compon
     return;
   }
   this->Blanked = 0;
-  Array values = TakeComponent(UnpackBits(input.Scalars), component);
+  Array values = TakeComponent(UnpackBits(array), component);
   vtkImageData* image = input.Image;
   image->GetDimensions(this->Samples.data());
   const bool hidesPoints = image->HasAnyBlankPoints();

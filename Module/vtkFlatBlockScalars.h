@@ -35,9 +35,10 @@ public:
   static constexpr int Magnitude = -1;
 
   /**
-   * @param component  of the input's array, or Magnitude
+   * @param array      of the input
+   * @param component  of the array, or Magnitude
    */
-  void Update(const flatblock::VolumeInput& input, int component);
+  void Update(const flatblock::VolumeInput& input, vtkDataArray* array, int component);
 
   /**
    * The input's mask: bytes, 0 where it is 0 or has a label that is not among these, and from 1 on

@@ -10,9 +10,11 @@ void vtkFlatBlockVolumeMapper::vtkInternals::SetChannels(
   const flatblock::VolumeInput& input, vtkVolumeProperty* property)
 {
   const flatblock::Components& components = input.Components;
-  const std::size_t count = std::max<std::size_t>(components.Numbers.size(), 1);
+  const bool hasSecond = input.SecondScalars != nullptr;
+  const std::size_t count =
+    std::max<std::size_t>(components.Numbers.size(), 1) + (hasSecond ? 1 : 0);
   if (this->Channels.size() != count || this->AreIndependent != components.AreIndependent ||
-      (this->Mask != nullptr) != (input.Mask != nullptr))
+      this->HasSecondArray != hasSecond || (this->Mask != nullptr) != (input.Mask != nullptr))
   {
     this->Channels.clear();
     this->Mask = input.Mask ? std::make_unique<flatblock::MaskChannel>() : nullptr;
@@ -22,8 +24,9 @@ void vtkFlatBlockVolumeMapper::vtkInternals::SetChannels(
       this->Channels.push_back(std::make_unique<flatblock::Channel>());
     }
     this->AreIndependent = components.AreIndependent;
+    this->HasSecondArray = hasSecond;
   }
-  std::size_t lead = count - 1;
+  std::size_t lead = hasSecond ? 0 : count - 1;
   for (std::size_t i = 0; components.AreIndependent && i < count; ++i)
   {
     this->Channels[i]->Weight = property->GetComponentWeight(static_cast<int>(i));
@@ -64,7 +67,9 @@ bool vtkFlatBlockVolumeMapper::vtkInternals::UpdateBuilders(
   for (std::size_t i = 0; i < this->Channels.size(); ++i)
   {
     const flatblock::Channel& channel = *this->Channels[i];
-    channel.Scalars->Update(this->Input, this->Input.Components.Numbers[i]);
+    const bool isSecond = i == this->Input.Components.Numbers.size();
+    channel.Scalars->Update(this->Input, isSecond ? this->Input.SecondScalars : this->Input.Scalars,
+      isSecond ? 0 : this->Input.Components.Numbers[i]);
     isNew = channel.Builder->Update(channel.Scalars, blockSize, bricks) || isNew;
   }
   if (isNew && !this->IsPlain())
@@ -143,7 +148,7 @@ bool vtkFlatBlockVolumeMapper::vtkInternals::IsBlockVisible(std::size_t block) c
   }
   if (!this->AreIndependent)
   {
-    return shows(*this->Channels.back());
+    return shows(*this->Channels[this->Lead]);
   }
   return std::any_of(this->Channels.begin(), this->Channels.end(),
     [&shows](const auto& channel) { return channel->Weight > 0.0 && shows(*channel); });

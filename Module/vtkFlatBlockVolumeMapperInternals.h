@@ -142,7 +142,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   flatblock::MemoryCounter Memory;                           // outlives those who count in it
   std::vector<std::unique_ptr<flatblock::Channel>> Channels; // at least one
   bool AreIndependent = false;
-  std::unique_ptr<flatblock::MaskChannel> Mask;              // of a single channel
+  bool HasSecondArray = false;                  // the last channel has the rows of 2D functions
+  std::unique_ptr<flatblock::MaskChannel> Mask; // of a single channel
   std::unique_ptr<flatblock::InterleavedBricks> Interleaved; // of several channels
   int Lead = 0;
   // Of the channel that opacity comes from; of several, the weightiest.

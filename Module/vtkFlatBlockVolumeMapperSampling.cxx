@@ -56,8 +56,8 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
 {
   vtkInternals& in = *this->Internals;
   flatblock::RaySampling& sampling = in.Sampling;
-  sampling.Blending =
-    flatblock::GetBlending(this, volume->GetProperty(), static_cast<int>(in.Channels.size()));
+  sampling.Blending = flatblock::GetBlending(
+    this, volume->GetProperty(), static_cast<int>(in.Input.Components.Numbers.size()));
   sampling.Method = GetMethod(this->Classification, volume,
     sampling.Blending.IsComposite() && in.IsPlain() &&
       !flatblock::HasTwoDimensions(volume->GetProperty()));
@@ -86,8 +86,10 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   sampling.HasGradientOpacity = flatblock::HasGradientOpacity(volume->GetProperty(),
                                   sampling.AreIndependent ? sampling.Components : 1) &&
                                 sampling.Blending.IsComposite();
+  sampling.HasSecondArray = in.HasSecondArray;
   sampling.IsTwoDimensional = flatblock::HasTwoDimensions(volume->GetProperty()) &&
-                              sampling.Blending.IsComposite() && sampling.Components == 1;
+                              sampling.Blending.IsComposite() &&
+                              (sampling.Components == 1 || in.HasSecondArray);
   sampling.HasPositionalLights = sampling.IsShaded && flatblock::HasPositionalLights(renderer);
   sampling.ShadingThreshold = this->ShadingOpacityThreshold;
   sampling.MostSamples = this->MaximumNumberOfSamples;

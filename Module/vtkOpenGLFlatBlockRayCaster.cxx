@@ -190,13 +190,9 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   {
     flatblock::SetSelection(program, *scene.Selection);
   }
-  if (scene.Sampling.Mask != flatblock::MaskKind::None)
+  if (scene.Sampling.Components > 1)
   {
-    flatblock::SetMask(program, scene.Sampling, scene.Tables, scene.Mask);
-  }
-  else if (scene.Sampling.Components > 1)
-  {
-    flatblock::SetComponents(program, scene.Sampling, scene.Tables);
+    flatblock::SetComponents(program, scene.Sampling, scene.Tables, scene.Mask);
   }
   if (scene.Sampling.IsShaded)
   {

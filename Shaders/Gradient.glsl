@@ -68,7 +68,7 @@ Differences differencesAt(Brick brick, vec3 position)
     (high.z - low.z) / reach.z);
 }
 
-#ifdef FLATBLOCK_MASK
+#ifdef FLATBLOCK_VALUE_FIRST
 vec3 gradientAt(Brick brick, vec3 position)
 {
   Differences differences = differencesAt(brick, position);
@@ -83,12 +83,17 @@ vec3 gradientAt(Brick brick, vec3 position)
 #endif
 
 #ifdef FLATBLOCK_GRADIENT_TABLE
-// Beyond 1 it is as at 1.
-vec4 lookUpGradient(float across, int component, vec3 gradient)
+// Both from 0 to 1, and beyond as at the end.
+vec4 lookUp(float across, float up)
 {
   countFetches(1);
   vec2 last = vec2(textureSize(in_GradientTable, 0) - 1);
-  vec2 position = clamp(vec2(across, in_GradientUnits[component] * length(gradient * in_GradientToTable)), 0.0, 1.0);
+  vec2 position = clamp(vec2(across, up), 0.0, 1.0);
   return textureLod(in_GradientTable, (position * last + 0.5) / (last + 1.0), 0.0);
+}
+
+vec4 lookUpGradient(float across, int component, vec3 gradient)
+{
+  return lookUp(across, in_GradientUnits[component] * length(gradient * in_GradientToTable));
 }
 #endif

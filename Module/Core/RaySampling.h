@@ -44,7 +44,8 @@ struct RaySampling
   bool IsShaded = false;
   bool HasPositionalLights = false;
   bool HasGradientOpacity = false;
-  bool IsTwoDimensional = false; ///< colours depend on gradients
+  bool IsTwoDimensional = false; ///< colours depend on gradients,
+  bool HasSecondArray = false;   ///< or on another array, the last component
   double ShadingThreshold = 0.0; ///< opacity that a piece must be seen with to be lit anew
   int MostSamples = 0;           ///< of a ray; 0: no limit
   double RayStart = 0.0;         ///< in world units from the eye, or the near plane

@@ -27,7 +27,6 @@ std::vector<LeftOutScene> GetLeftOutScenes()
     { "MapperRectilinearGrid", "an error names vtkResampleToImage" },
     { "MultiVolume*", "volumes that overlap are drawn one after the other; vtkMultiVolume takes "
                       "vtkGPUVolumeRayCastMapper only" },
-    { "Transfer2DYScalars", "rows of 2D functions are gradients" },
     { "DepthPeelingTransVol", "volumes do not peel: they come after translucent geometry" },
     { "RenderDepthToImage*, RenderDepthToTexture, RenderToTexture, VolumeDepthPass",
       "the mapper draws to its window" },

@@ -1,8 +1,12 @@
 #include "PeerSceneParts.h"
 #include "PeerScenes.h"
 
+#include "Volumes.h"
+
+#include "vtkDataArray.h"
 #include "vtkLight.h"
 #include "vtkLightKit.h"
+#include "vtkPointData.h"
 #include "vtkTransform.h"
 
 #include <algorithm>
@@ -233,6 +237,20 @@ std::vector<PeerScene> GetPeerScenesOfViews()
         SetImage(s, MakeImage(), 1.0);
         SetFunctions(s);
         SetTransfer2D(s);
+      },
+      "" },
+    { "Transfer2DYScalars", 33.0, 0.96,
+      [](Scene& s)
+      {
+        const auto image = MakeImage();
+        const auto other = MakeVolume(
+          PeerSamples, VTK_UNSIGNED_CHAR, [](int x, int y, int z) { return ValueAt(z, x, y); });
+        other->GetPointData()->GetScalars()->SetName("other");
+        image->GetPointData()->AddArray(other->GetPointData()->GetScalars());
+        SetImage(s, image, 1.0);
+        SetFunctions(s);
+        SetTransfer2D(s);
+        Both(s, [](auto* m) { m->SetTransfer2DYAxisArray("other"); });
       },
       "" },
     { "VolumeLightKit", 35.0, 0.98, [](Scene& s) { SetLights(s, false); }, "" },

@@ -2,6 +2,7 @@
 #include "FloatPicture.h"
 #include "Volumes.h"
 
+#include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -219,4 +220,30 @@ TEST(TwoDimensions, ThatAreMissingAreAnError)
   EXPECT_NE(messages.Errors[0].find("SetTransferFunction2D"), std::string::npos);
   scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
   EXPECT_EQ(LargestDifference(scene.Draw(), good), 0.0);
+}
+
+// Rows are values of another array, over its range.
+TEST(TwoDimensions, OfTwoArrays)
+{
+  Scene scene;
+  ShowRamp(scene, 10.0, { 1.0, 1.0, 1.0 });
+  vtkImageData* image = vtkImageData::SafeDownCast(scene.Mapper->GetInput());
+  const auto other = MakeVolume({ 65, 33, 33 }, VTK_SHORT,
+    [](int x, int, int z) { return x == 0 ? -100.0 : (x == 64 ? 300.0 : (z < 17 ? 0.0 : 200.0)); });
+  other->GetPointData()->GetScalars()->SetName("other");
+  image->GetPointData()->AddArray(other->GetPointData()->GetScalars());
+  SetTwoDimensions(scene, 64, 41, 20, 0.01, 0.02);
+  scene.Mapper->SetTransfer2DYAxisArray("other");
+  scene.Property->SetInterpolationTypeToNearest();
+  const Picture picture = DrawFloats(scene);
+  const auto& below = picture[256 * 40 + 128];
+  const auto& above = picture[256 * 200 + 128];
+  EXPECT_NEAR(below[3], 1.0 - std::pow(0.99, 56.0), 1e-3);
+  EXPECT_NEAR(below[0], below[3], 1e-6);
+  EXPECT_NEAR(above[3], 1.0 - std::pow(0.98, 56.0), 1e-3);
+  EXPECT_NEAR(above[1], above[3], 1e-6);
+  scene.Mapper->SetTransfer2DYAxisArray("none such");
+  const Messages messages = Listen([&] { scene.Draw(); });
+  ASSERT_EQ(messages.Errors.size(), 1U);
+  EXPECT_NE(messages.Errors[0].find("Transfer2DYAxisArray"), std::string::npos);
 }
