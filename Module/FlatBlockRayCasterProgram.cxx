@@ -100,6 +100,7 @@ std::string GetDefines(
   define(sampling.Jittering, "FLATBLOCK_JITTERING");
   define(sampling.RefinesImage, "FLATBLOCK_ADAPTIVE_IMAGE");
   define(sampling.IsShaded, "FLATBLOCK_SHADING");
+  define(sampling.HasNormalsFromOpacity, "FLATBLOCK_NORMAL_FROM_OPACITY");
   define(sampling.HasPositionalLights, "FLATBLOCK_POSITIONAL_LIGHTS");
   define(sampling.NeedsGradients(), "FLATBLOCK_GRADIENT");
   define(sampling.Mask != MaskKind::None, "FLATBLOCK_MASK");

@@ -29,12 +29,25 @@
 #define vtkFlatBlockRayCastMapper_h
 
 #include "vtkFlatBlockDataMapper.h"
+#include "vtkVersionMacros.h" // for what this VTK has
 
 class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockRayCastMapper : public vtkFlatBlockDataMapper
 {
 public:
   vtkTypeMacro(vtkFlatBlockRayCastMapper, vtkFlatBlockDataMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+  ///@{
+  /**
+   * Whether light falls on surfaces of the same opacity, and not of the same value: in a composite
+   * of one component. Default: off. From VTK 9.2 on, vtkVolumeMapper has this.
+   */
+  vtkSetMacro(ComputeNormalFromOpacity, bool);
+  vtkGetMacro(ComputeNormalFromOpacity, bool);
+  vtkBooleanMacro(ComputeNormalFromOpacity, bool);
+  ///@}
+#endif
 
   enum Classifications
   {
@@ -55,9 +68,18 @@ public:
    */
   vtkSetClampMacro(Classification, int, PRE_INTEGRATED, PRE_INTERPOLATION);
   vtkGetMacro(Classification, int);
-  void SetClassificationToPreIntegrated() { this->SetClassification(PRE_INTEGRATED); }
-  void SetClassificationToPostInterpolation() { this->SetClassification(POST_INTERPOLATION); }
-  void SetClassificationToPreInterpolation() { this->SetClassification(PRE_INTERPOLATION); }
+  void SetClassificationToPreIntegrated()
+  {
+    this->SetClassification(PRE_INTEGRATED);
+  }
+  void SetClassificationToPostInterpolation()
+  {
+    this->SetClassification(POST_INTERPOLATION);
+  }
+  void SetClassificationToPreInterpolation()
+  {
+    this->SetClassification(PRE_INTERPOLATION);
+  }
   ///@}
 
   ///@{
@@ -227,9 +249,18 @@ public:
    */
   vtkSetClampMacro(Skipping, int, SKIP_NOTHING, SKIP_CELLS);
   vtkGetMacro(Skipping, int);
-  void SetSkippingToNothing() { this->SetSkipping(SKIP_NOTHING); }
-  void SetSkippingToBlocks() { this->SetSkipping(SKIP_BLOCKS); }
-  void SetSkippingToCells() { this->SetSkipping(SKIP_CELLS); }
+  void SetSkippingToNothing()
+  {
+    this->SetSkipping(SKIP_NOTHING);
+  }
+  void SetSkippingToBlocks()
+  {
+    this->SetSkipping(SKIP_BLOCKS);
+  }
+  void SetSkippingToCells()
+  {
+    this->SetSkipping(SKIP_CELLS);
+  }
   ///@}
 
   ///@{
@@ -261,10 +292,22 @@ public:
    */
   void SetAtlasPrecision(int precision);
   vtkGetMacro(AtlasPrecision, int);
-  void SetAtlasPrecisionToNative() { this->SetAtlasPrecision(NATIVE); }
-  void SetAtlasPrecisionTo8Bits() { this->SetAtlasPrecision(BITS_8); }
-  void SetAtlasPrecisionTo4Bits() { this->SetAtlasPrecision(BITS_4); }
-  void SetAtlasPrecisionTo1Bit() { this->SetAtlasPrecision(BITS_1); }
+  void SetAtlasPrecisionToNative()
+  {
+    this->SetAtlasPrecision(NATIVE);
+  }
+  void SetAtlasPrecisionTo8Bits()
+  {
+    this->SetAtlasPrecision(BITS_8);
+  }
+  void SetAtlasPrecisionTo4Bits()
+  {
+    this->SetAtlasPrecision(BITS_4);
+  }
+  void SetAtlasPrecisionTo1Bit()
+  {
+    this->SetAtlasPrecision(BITS_1);
+  }
   ///@}
 
   ///@{
@@ -344,6 +387,10 @@ protected:
   double GPUMilliseconds = -1.0;
   double SamplesPerRay = 0.0;
   double FetchesPerRay = 0.0;
+
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+  bool ComputeNormalFromOpacity = false;
+#endif
 
 private:
   vtkFlatBlockRayCastMapper(const vtkFlatBlockRayCastMapper&) = delete;

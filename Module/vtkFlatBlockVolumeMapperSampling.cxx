@@ -90,6 +90,8 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   sampling.IsTwoDimensional = flatblock::HasTwoDimensions(volume->GetProperty()) &&
                               sampling.Blending.IsComposite() &&
                               (sampling.Components == 1 || in.HasSecondArray);
+  sampling.HasNormalsFromOpacity =
+    sampling.IsShaded && this->ComputeNormalFromOpacity && sampling.Blending.IsComposite();
   sampling.HasPositionalLights = sampling.IsShaded && flatblock::HasPositionalLights(renderer);
   sampling.ShadingThreshold = this->ShadingOpacityThreshold;
   sampling.MostSamples = this->MaximumNumberOfSamples;

@@ -79,13 +79,16 @@ void modulate(inout Gathered gathered, inout vec4 color, Brick brick, vec3 posit
     vec3 gradient = gradientAt(brick, position);
     color = thinned(color, lookUpGradient(0.0, 0, gradient).r);
 #ifdef FLATBLOCK_SHADING
+#ifdef FLATBLOCK_NORMAL_FROM_OPACITY
+    gradient = gradientOfSurface(brick, position);
+#endif
     gathered.light = lightOn(gradient, position);
 #endif
   }
 #elif defined(FLATBLOCK_SHADING)
   if ((1.0 - gathered.color.a) * color.a > in_ShadingOpacityThreshold)
   {
-    gathered.light = lightOn(gradientAt(brick, position), position);
+    gathered.light = lightOn(gradientOfSurface(brick, position), position);
   }
 #endif
 #ifdef FLATBLOCK_SHADING

@@ -47,15 +47,38 @@ struct Differences
   Texel z;
 };
 
-Differences differencesAt(Brick brick, vec3 position)
+float valueOf(float texel)
+{
+  return texel;
+}
+
+float valueOf(vec4 texel)
+{
+  return texel.r;
+}
+
+// A texel, or the opacity of its value over a unit of length.
+Texel differedAt(bool ofOpacity, Brick brick, vec3 at)
+{
+  Texel texel = texelAt(brick, at);
+#ifdef FLATBLOCK_NORMAL_FROM_OPACITY
+  if (ofOpacity && !isHole(texel))
+  {
+    texel = Texel(opacityOfDepth(matterAtPosition(positionInTable(valueOf(texel))).a));
+  }
+#endif
+  return texel;
+}
+
+Differences differencesOf(bool ofOpacity, Brick brick, vec3 position)
 {
   Stencil s = stencilAt(brick, position);
-  Differences low = Differences(texelAt(brick, vec3(s.before.x, s.at.yz)),
-    texelAt(brick, vec3(s.at.x, s.before.y, s.at.z)), texelAt(brick, vec3(s.at.xy, s.before.z)));
-  Differences high = Differences(texelAt(brick, vec3(s.behind.x, s.at.yz)),
-    texelAt(brick, vec3(s.at.x, s.behind.y, s.at.z)), texelAt(brick, vec3(s.at.xy, s.behind.z)));
+  Differences low = Differences(differedAt(ofOpacity, brick, vec3(s.before.x, s.at.yz)),
+    differedAt(ofOpacity, brick, vec3(s.at.x, s.before.y, s.at.z)), differedAt(ofOpacity, brick, vec3(s.at.xy, s.before.z)));
+  Differences high = Differences(differedAt(ofOpacity, brick, vec3(s.behind.x, s.at.yz)),
+    differedAt(ofOpacity, brick, vec3(s.at.x, s.behind.y, s.at.z)), differedAt(ofOpacity, brick, vec3(s.at.xy, s.behind.z)));
 #ifdef FLATBLOCK_HOLES
-  Texel value = texelAt(brick, s.at);
+  Texel value = differedAt(ofOpacity, brick, s.at);
   passHole(low.x, s.below.x, value);
   passHole(low.y, s.below.y, value);
   passHole(low.z, s.below.z, value);
@@ -68,17 +91,27 @@ Differences differencesAt(Brick brick, vec3 position)
     (high.z - low.z) / reach.z);
 }
 
-#ifdef FLATBLOCK_VALUE_FIRST
-vec3 gradientAt(Brick brick, vec3 position)
+Differences differencesAt(Brick brick, vec3 position)
 {
-  Differences differences = differencesAt(brick, position);
-  return vec3(differences.x.r, differences.y.r, differences.z.r);
+  return differencesOf(false, brick, position);
 }
-#elif !defined(FLATBLOCK_COMPONENTS)
+
+#if defined(FLATBLOCK_VALUE_FIRST) || !defined(FLATBLOCK_COMPONENTS)
 vec3 gradientAt(Brick brick, vec3 position)
 {
   Differences differences = differencesAt(brick, position);
-  return vec3(differences.x, differences.y, differences.z);
+  return vec3(valueOf(differences.x), valueOf(differences.y), valueOf(differences.z));
+}
+
+// That is perpendicular to what light falls on.
+vec3 gradientOfSurface(Brick brick, vec3 position)
+{
+#ifdef FLATBLOCK_NORMAL_FROM_OPACITY
+  Differences differences = differencesOf(true, brick, position);
+  return vec3(valueOf(differences.x), valueOf(differences.y), valueOf(differences.z));
+#else
+  return gradientAt(brick, position);
+#endif
 }
 #endif
 

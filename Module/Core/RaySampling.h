@@ -43,6 +43,7 @@ struct RaySampling
   int CellsPerCube = 0; ///< along a side, of the map of leaps; 0: there is none
   bool IsShaded = false;
   bool HasPositionalLights = false;
+  bool HasNormalsFromOpacity = false;
   bool HasGradientOpacity = false;
   bool IsTwoDimensional = false; ///< colours depend on gradients,
   bool HasSecondArray = false;   ///< or on another array, the last component

@@ -30,7 +30,6 @@ std::vector<LeftOutScene> GetLeftOutScenes()
     { "DepthPeelingTransVol", "volumes do not peel: they come after translucent geometry" },
     { "RenderDepthToImage*, RenderDepthToTexture, RenderToTexture, VolumeDepthPass",
       "the mapper draws to its window" },
-    { "ComputeNormalFromOpacity", "normals are those of the values" },
     { "MapperShadows, SSAO", "no global illumination" },
     { "UserShader*, SurfaceProbe*, JitteringCustom", "VTK's own shaders or noise" },
     { "FourComponentsCompositeStreaming, TextureStreaming*", "VTK's partitions: blocks do this" },

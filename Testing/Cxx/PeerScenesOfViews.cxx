@@ -8,6 +8,7 @@
 #include "vtkLightKit.h"
 #include "vtkPointData.h"
 #include "vtkTransform.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 
@@ -76,7 +77,8 @@ void SetLights(Scene& scene, bool isPositional)
 
 std::vector<PeerScene> GetPeerScenesOfViews()
 {
-  return {
+  return
+  {
     { "CameraInside", 38.0, 0.99,
       [](Scene& s)
       {
@@ -84,197 +86,208 @@ std::vector<PeerScene> GetPeerScenesOfViews()
         LookFromInside(s);
       },
       "" },
-    { "CameraInsideClipping", 34.0, 0.99,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Clip(s);
-        LookFromInside(s);
-      },
-      "the peer's first sample lies a part of a step behind the plane" },
-    { "CameraInsideSmallSpacing", 38.0, 0.99,
-      [](Scene& s)
-      {
-        const auto image = MakeImage();
-        image->SetSpacing(1e-3, 1e-3, 1e-3);
-        SetImage(s, image, 5e-4);
-        SetFunctions(s);
-        s.Property->SetScalarOpacityUnitDistance(1e-3);
-        LookFromInside(s);
-      },
-      "" },
-    { "CameraInsideTransformation", 43.0, 0.99,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Transform(s, 1.0);
-        LookFromInside(s);
-      },
-      "" },
-    { "CameraInsideNonUniformScaleTransform", 45.0, 0.99,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Transform(s, 1.5);
-        LookFromInside(s);
-      },
-      "" },
-    { "Clipping", 33.0, 0.98,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Clip(s);
-      },
-      "the peer's first sample lies a part of a step behind the plane" },
-    { "ClippingUserTransform", 40.0, 0.99,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Transform(s, 1.0);
-        Clip(s);
-      },
-      "" },
-    { "ShadedClipping", 34.0, 0.97,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Shade(s);
-        Clip(s);
-      },
-      "the peer takes gradients to what is cut off" },
-    { "Cropping", 37.0, 0.98,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Both(s,
-          [](auto* m)
-          {
-            m->CroppingOn();
-            m->SetCroppingRegionPlanes(12.0, 36.0, 10.0, 34.0, 14.0, 40.0);
-            m->SetCroppingRegionFlagsToFence();
-          });
-      },
-      "" },
-    { "Cropping1", 36.0, 0.98,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Both(s,
-          [](auto* m)
-          {
-            m->CroppingOn();
-            m->SetCroppingRegionPlanes(12.0, 36.0, 10.0, 34.0, 14.0, 40.0);
-            m->SetCroppingRegionFlagsToInvertedCross();
-          });
-      },
-      "" },
-    { "GradientOpacity", 41.0, 0.99,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        SetGradientOpacity(s);
-      },
-      "" },
-    { "GradientOpacityLight", 42.0, 0.98,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        SetGradientOpacity(s);
-        Shade(s);
-      },
-      "" },
-    { "ImageSampleXY", 44.0, 0.99,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Both(s, [](auto* m) { m->SetImageSampleDistance(2.0F); });
-      },
-      "" },
-    { "Jittering", 45.0, 0.99,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Both(s, [](auto* m) { m->UseJitteringOn(); });
-      },
-      "" },
-    { "LightKit", 36.0, 0.98,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Shade(s);
-        s.Renderer->RemoveAllLights();
-        vtkNew<vtkLightKit> kit;
-        kit->AddLightsToRenderer(s.Renderer);
-      },
-      "" },
-    { "MapperSampleDistance", 47.0, 0.99,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Both(s, [](auto* m) { m->SetSampleDistance(0.25F); });
-      },
-      "" },
-    { "PerspectiveParallel", 48.0, 0.99,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        s.Renderer->GetActiveCamera()->ParallelProjectionOn();
-        s.LookFrom(0.0, 0.0);
-      },
-      "" },
-    { "PositionalLights", 35.0, 0.98, [](Scene& s) { SetLights(s, true); }, "" },
-    { "ReleaseResources", 44.0, 0.99,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        s.Draw();
-        s.Mapper->ReleaseGraphicsResources(s.Window);
-      },
-      "" },
-    { "Transfer2D", 44.0, 0.99,
-      [](Scene& s)
-      {
-        SetImage(s, MakeImage(), 1.0);
-        SetFunctions(s);
-        SetTransfer2D(s);
-      },
-      "" },
-    { "Transfer2DYScalars", 33.0, 0.96,
-      [](Scene& s)
-      {
-        const auto image = MakeImage();
-        const auto other = MakeVolume(
-          PeerSamples, VTK_UNSIGNED_CHAR, [](int x, int y, int z) { return ValueAt(z, x, y); });
-        other->GetPointData()->GetScalars()->SetName("other");
-        image->GetPointData()->AddArray(other->GetPointData()->GetScalars());
-        SetImage(s, image, 1.0);
-        SetFunctions(s);
-        SetTransfer2D(s);
-        Both(s, [](auto* m) { m->SetTransfer2DYAxisArray("other"); });
-      },
-      "" },
-    { "VolumeLightKit", 35.0, 0.98, [](Scene& s) { SetLights(s, false); }, "" },
-    { "VolumePlane", 45.0, 0.99,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Both(s, [](auto* m) { AddPlane(m, { 24.0, 22.0, 26.0 }, { 0.0, 0.0, 1.0 }); });
-      },
-      "" },
-    { "VolumeRotation", 48.0, 0.99,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Transform(s, 1.0);
-      },
-      "" },
-    { "VolumeScale", 48.0, 0.99,
-      [](Scene& s)
-      {
-        SetPlain(s);
-        Transform(s, 1.5);
-      },
-      "" },
+      { "CameraInsideClipping", 34.0, 0.99,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Clip(s);
+          LookFromInside(s);
+        },
+        "the peer's first sample lies a part of a step behind the plane" },
+      { "CameraInsideSmallSpacing", 38.0, 0.99,
+        [](Scene& s)
+        {
+          const auto image = MakeImage();
+          image->SetSpacing(1e-3, 1e-3, 1e-3);
+          SetImage(s, image, 5e-4);
+          SetFunctions(s);
+          s.Property->SetScalarOpacityUnitDistance(1e-3);
+          LookFromInside(s);
+        },
+        "" },
+      { "CameraInsideTransformation", 43.0, 0.99,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Transform(s, 1.0);
+          LookFromInside(s);
+        },
+        "" },
+      { "CameraInsideNonUniformScaleTransform", 45.0, 0.99,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Transform(s, 1.5);
+          LookFromInside(s);
+        },
+        "" },
+      { "Clipping", 33.0, 0.98,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Clip(s);
+        },
+        "the peer's first sample lies a part of a step behind the plane" },
+      { "ClippingUserTransform", 40.0, 0.99,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Transform(s, 1.0);
+          Clip(s);
+        },
+        "" },
+      { "ShadedClipping", 34.0, 0.97,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Shade(s);
+          Clip(s);
+        },
+        "the peer takes gradients to what is cut off" },
+      { "Cropping", 37.0, 0.98,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Both(s,
+            [](auto* m)
+            {
+              m->CroppingOn();
+              m->SetCroppingRegionPlanes(12.0, 36.0, 10.0, 34.0, 14.0, 40.0);
+              m->SetCroppingRegionFlagsToFence();
+            });
+        },
+        "" },
+      { "Cropping1", 36.0, 0.98,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Both(s,
+            [](auto* m)
+            {
+              m->CroppingOn();
+              m->SetCroppingRegionPlanes(12.0, 36.0, 10.0, 34.0, 14.0, 40.0);
+              m->SetCroppingRegionFlagsToInvertedCross();
+            });
+        },
+        "" },
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+      { "ComputeNormalFromOpacity", 33.0, 0.95,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Shade(s);
+          s.SetOpacity({ { 100.0, 0.0 }, { 130.0, 0.2 }, { 160.0, 0.0 } });
+          Both(s, [](auto* m) { m->ComputeNormalFromOpacityOn(); });
+        },
+        "" },
+#endif
+      { "GradientOpacity", 41.0, 0.99,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          SetGradientOpacity(s);
+        },
+        "" },
+      { "GradientOpacityLight", 42.0, 0.98,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          SetGradientOpacity(s);
+          Shade(s);
+        },
+        "" },
+      { "ImageSampleXY", 44.0, 0.99,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Both(s, [](auto* m) { m->SetImageSampleDistance(2.0F); });
+        },
+        "" },
+      { "Jittering", 45.0, 0.99,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Both(s, [](auto* m) { m->UseJitteringOn(); });
+        },
+        "" },
+      { "LightKit", 36.0, 0.98,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Shade(s);
+          s.Renderer->RemoveAllLights();
+          vtkNew<vtkLightKit> kit;
+          kit->AddLightsToRenderer(s.Renderer);
+        },
+        "" },
+      { "MapperSampleDistance", 47.0, 0.99,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Both(s, [](auto* m) { m->SetSampleDistance(0.25F); });
+        },
+        "" },
+      { "PerspectiveParallel", 48.0, 0.99,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          s.Renderer->GetActiveCamera()->ParallelProjectionOn();
+          s.LookFrom(0.0, 0.0);
+        },
+        "" },
+      { "PositionalLights", 35.0, 0.98, [](Scene& s) { SetLights(s, true); }, "" },
+      { "ReleaseResources", 44.0, 0.99,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          s.Draw();
+          s.Mapper->ReleaseGraphicsResources(s.Window);
+        },
+        "" },
+      { "Transfer2D", 44.0, 0.99,
+        [](Scene& s)
+        {
+          SetImage(s, MakeImage(), 1.0);
+          SetFunctions(s);
+          SetTransfer2D(s);
+        },
+        "" },
+      { "Transfer2DYScalars", 33.0, 0.96,
+        [](Scene& s)
+        {
+          const auto image = MakeImage();
+          const auto other = MakeVolume(
+            PeerSamples, VTK_UNSIGNED_CHAR, [](int x, int y, int z) { return ValueAt(z, x, y); });
+          other->GetPointData()->GetScalars()->SetName("other");
+          image->GetPointData()->AddArray(other->GetPointData()->GetScalars());
+          SetImage(s, image, 1.0);
+          SetFunctions(s);
+          SetTransfer2D(s);
+          Both(s, [](auto* m) { m->SetTransfer2DYAxisArray("other"); });
+        },
+        "" },
+      { "VolumeLightKit", 35.0, 0.98, [](Scene& s) { SetLights(s, false); }, "" },
+      { "VolumePlane", 45.0, 0.99,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Both(s, [](auto* m) { AddPlane(m, { 24.0, 22.0, 26.0 }, { 0.0, 0.0, 1.0 }); });
+        },
+        "" },
+      { "VolumeRotation", 48.0, 0.99,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Transform(s, 1.0);
+        },
+        "" },
+      { "VolumeScale", 48.0, 0.99,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Transform(s, 1.5);
+        },
+        "" },
   };
 }
 } // namespace flatblock::testing

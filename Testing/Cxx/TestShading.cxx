@@ -131,9 +131,9 @@ TEST(ShadingBy, BlocksOfAnyLevel)
 TEST(ShadingBy, BlocksOfMixedLevelsHasNoSeams)
 {
   Scene scene;
-  scene.SetVolume(MakeVolume({ 97, 97, 97 }, VTK_FLOAT,
-                    [](int x, int y, int z)
-                    { return 100.0 - std::hypot(x - 48.0, y - 47.0, z - 49.0); }),
+  scene.SetVolume(
+    MakeVolume({ 97, 97, 97 }, VTK_FLOAT,
+      [](int x, int y, int z) { return 100.0 - std::hypot(x - 48.0, y - 47.0, z - 49.0); }),
     0.25);
   scene.SetOpacity({ { 58.0, 0.0 }, { 64.0, 0.6 } });
   scene.SetColor({ { 0.0, 0.8, 0.6, 0.5 } });
@@ -147,8 +147,8 @@ TEST(ShadingBy, BlocksOfMixedLevelsHasNoSeams)
   scene.Mapper->SetBlockSize(17);
   scene.Mapper->AdaptiveSamplingOff();
   scene.Mapper->UseCameraAsPointOfInterestOff();
-  for (const std::array<double, 3>& point : { std::array<double, 3>{ 90.0, 60.0, 80.0 },
-         { 20.0, 90.0, 70.0 }, { 40.0, 10.0, 90.0 } })
+  for (const std::array<double, 3>& point :
+    { std::array<double, 3>{ 90.0, 60.0, 80.0 }, { 20.0, 90.0, 70.0 }, { 40.0, 10.0, 90.0 } })
   {
     scene.Mapper->SetPointOfInterest(point.data());
     scene.Mapper->SetMaxMemoryInBytes(Beside + 3000000);
@@ -183,6 +183,23 @@ TEST(ShadingBy, PositionalLights)
     light->PositionalOff();
     EXPECT_LE(PSNR(near, scene.Draw()), 30.0);
   }
+}
+
+// Of a shell whose opacity falls where values rise: its far side faces the other way.
+TEST(ShadingBy, NormalsOfOpacity)
+{
+  Scene scene;
+  Show(scene);
+  scene.Renderer->TwoSidedLightingOff();
+  scene.SetOpacity({ { 500.0, 0.3 }, { 700.0, 0.1 } });
+  const Picture values = DrawFloats(scene);
+  scene.Mapper->ComputeNormalFromOpacityOn();
+  const Picture falling = DrawFloats(scene);
+  EXPECT_GE(RootMeanSquare(falling, values), 2e-2);
+  scene.SetOpacity({ { 400.0, 0.0 }, { 900.0, 0.3 } }); // along values, nearly in proportion
+  const Picture rising = DrawFloats(scene);
+  scene.Mapper->ComputeNormalFromOpacityOff();
+  EXPECT_LE(RootMeanSquare(DrawFloats(scene), rising), 2e-2);
 }
 
 // Bricks have an apron only where it is read.
