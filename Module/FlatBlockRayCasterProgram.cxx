@@ -123,6 +123,8 @@ std::string GetDefines(
   define(sampling.Blending.Mode == BlendMode::Average, "FLATBLOCK_AVERAGE");
   define(sampling.HasCounts(), "FLATBLOCK_COUNTING");
   define(sampling.IsSelection, "FLATBLOCK_SELECTION");
+  define(sampling.StaysInImage, "FLATBLOCK_DEPTH_IMAGE");
+  define(sampling.IsSelection || sampling.StaysInImage, "FLATBLOCK_SEEN");
   define(sampling.MostSamples > 0, "FLATBLOCK_SAMPLE_LIMIT");
   define(sampling.RayStart > 0.0, "FLATBLOCK_RAY_START");
   if (sampling.Blending.Mode == BlendMode::Isosurface)

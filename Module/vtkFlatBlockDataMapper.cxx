@@ -26,5 +26,6 @@ void vtkFlatBlockDataMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaskInput: " << this->MaskInput << "\n";
   os << indent << "MaskType: " << (this->MaskType == BinaryMaskType ? "Binary" : "LabelMap")
      << "\n";
+  os << indent << "RenderToImage: " << this->RenderToImage << "\n";
   os << indent << "MaskBlendFactor: " << this->MaskBlendFactor << "\n";
 }

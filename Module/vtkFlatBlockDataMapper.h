@@ -1,6 +1,6 @@
 /**
  * @class   vtkFlatBlockDataMapper
- * @brief   abstract superclass of a volume mapper: what of its input is drawn
+ * @brief   abstract superclass of a volume mapper: what of its input is drawn, and where to
  *
  * Input: vtkImageData with two or more samples along each axis. Which array of it is drawn,
  * vtkAbstractMapper says: ScalarMode, SelectScalarArray(), ArrayAccessMode. Values of cells are
@@ -97,6 +97,26 @@ public:
   vtkGetMacro(MaskBlendFactor, float);
   ///@}
 
+  ///@{
+  /**
+   * Whether rays are not drawn to the window, but kept for GetColorImage() and GetDepthImage(), as
+   * with vtkGPUVolumeRayCastMapper. Default: off.
+   */
+  vtkSetMacro(RenderToImage, bool);
+  vtkGetMacro(RenderToImage, bool);
+  vtkBooleanMacro(RenderToImage, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What the last frame with RenderToImage made of the renderer's viewport: RGBA of 8 bit,
+   * multiplied by opacity; and depths as floats, those of the depth buffer, where a ray had
+   * gathered an opacity of 3/255, and 1 where none did. Empty before there was one.
+   */
+  virtual void GetColorImage(vtkImageData* image) = 0;
+  virtual void GetDepthImage(vtkImageData* image) = 0;
+  ///@}
+
 protected:
   vtkFlatBlockDataMapper();
   ~vtkFlatBlockDataMapper() override;
@@ -107,6 +127,7 @@ protected:
   vtkSmartPointer<vtkImageData> MaskInput;
   int MaskType = LabelMapMaskType;
   float MaskBlendFactor = 1.0F;
+  bool RenderToImage = false;
 
 private:
   vtkFlatBlockDataMapper(const vtkFlatBlockDataMapper&) = delete;

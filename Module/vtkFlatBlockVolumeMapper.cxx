@@ -143,6 +143,16 @@ void vtkFlatBlockVolumeMapper::WarnAboutIgnoredSettings()
   this->Internals->LastWarning = ignored;
 }
 
+void vtkFlatBlockVolumeMapper::GetColorImage(vtkImageData* image)
+{
+  this->Internals->RayCaster->GetImages(image, nullptr);
+}
+
+void vtkFlatBlockVolumeMapper::GetDepthImage(vtkImageData* image)
+{
+  this->Internals->RayCaster->GetImages(nullptr, image);
+}
+
 void vtkFlatBlockVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Atlas->ReleaseGraphicsResources(window);

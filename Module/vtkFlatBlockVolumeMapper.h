@@ -318,6 +318,9 @@ public:
   double GetDrawMilliseconds() const;
   ///@}
 
+  void GetColorImage(vtkImageData* image) override;
+  void GetDepthImage(vtkImageData* image) override;
+
   /**
    * Prints all these.
    */

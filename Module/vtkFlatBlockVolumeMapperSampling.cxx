@@ -102,10 +102,18 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   sampling.RefinesImage =
     this->AdaptiveImageSampling && flatblock::IsInteractive(renderer) && !sampling.HasCounts();
   sampling.PixelsPerRay = sampling.RefinesImage ? 1.0 : sampling.PixelsPerRay;
+  sampling.StaysInImage = this->RenderToImage;
+  if (sampling.StaysInImage)
+  {
+    sampling.RefinesImage = false;
+    sampling.CountsSamples = false;
+    sampling.MostSamples = 0;
+  }
   sampling.IsSelection = in.Selection.has_value();
   if (sampling.IsSelection)
   {
     constexpr double Seen = 3.0 / 255.0; // as in the shader
+    sampling.StaysInImage = false;
     sampling.PixelsPerRay = 1.0;
     sampling.RefinesImage = false;
     sampling.CountsSamples = false;

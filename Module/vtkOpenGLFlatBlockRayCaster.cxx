@@ -64,7 +64,7 @@ vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetImageBytes(
   vtkRenderer* renderer, const flatblock::RaySampling& sampling)
 {
   return sampling.HasImage() ? vtkOpenGLFlatBlockRayImage::GetBytes(
-                                 renderer, sampling.GetPixelsOfImage(), sampling.HasCounts())
+                                 renderer, sampling.GetPixelsOfImage(), sampling.HasTwoImages())
                              : 0;
 }
 
@@ -79,7 +79,7 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
     renderer->GetRenderWindow(), tables, NeedsIntegrals(sampling));
   if (sampling.HasImage())
   {
-    this->RayImage->ReleaseIfStale(renderer, sampling.GetPixelsOfImage(), sampling.HasCounts());
+    this->RayImage->ReleaseIfStale(renderer, sampling.GetPixelsOfImage(), sampling.HasTwoImages());
   }
   else
   {
@@ -131,6 +131,11 @@ bool vtkOpenGLFlatBlockRayCaster::SetGradientTable(
 bool vtkOpenGLFlatBlockRayCaster::HasGradientTable() const
 {
   return this->GradientTexture->IsUploaded();
+}
+
+void vtkOpenGLFlatBlockRayCaster::GetImages(vtkImageData* color, vtkImageData* depth) const
+{
+  this->RayImage->GetImages(color, depth);
 }
 
 void vtkOpenGLFlatBlockRayCaster::Finish()
@@ -222,18 +227,9 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
     this->RayImage->Deactivate();
   }
   this->TransferTable->Deactivate();
-  if (scene.Sampling.CellsPerCube > 0)
-  {
-    this->SkipTexture->Deactivate();
-  }
-  if (scene.Sampling.HasGradientTable())
-  {
-    this->GradientTexture->Deactivate();
-  }
-  if (scene.Sampling.UsesRanges())
-  {
-    this->BrickRanges->Deactivate();
-  }
+  this->SkipTexture->Deactivate();
+  this->GradientTexture->Deactivate();
+  this->BrickRanges->Deactivate();
   return isDrawn;
 }
 
@@ -335,15 +331,15 @@ bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& s
     this->DrawCover(state, cover);
     return true;
   }
-  this->RayImage->Begin(renderer, scene.Sampling.PixelsPerRay, scene.Sampling.HasCounts());
+  this->RayImage->Begin(renderer, scene.Sampling.PixelsPerRay, scene.Sampling.HasTwoImages());
   {
     vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
     state->vtkglDisable(GL_SCISSOR_TEST);
     state->vtkglDisable(GL_BLEND);
     this->DrawCover(state, cover);
   }
-  this->RayImage->End();
-  if (scene.IsOnlyImage)
+  this->RayImage->End(scene.Sampling.StaysInImage);
+  if (scene.IsOnlyImage || scene.Sampling.StaysInImage)
   {
     return true;
   }

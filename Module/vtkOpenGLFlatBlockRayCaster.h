@@ -18,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkObject.h"
 
+class vtkImageData;
 class vtkMatrix4x4;
 class vtkOpenGLFlatBlockAtlas;
 class vtkOpenGLFlatBlockBrickRanges;
@@ -129,6 +130,11 @@ public:
    * Of the last Draw() with a sampling that has counts.
    */
   const flatblock::RayCounts& GetCounts() const;
+
+  /**
+   * Of the last Draw() with a sampling that stays in its image: see vtkOpenGLFlatBlockRayImage.
+   */
+  void GetImages(vtkImageData* color, vtkImageData* depth) const;
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

@@ -116,27 +116,66 @@ void vtkOpenGLFlatBlockRayImage::Begin(vtkRenderer* renderer, double pixelsPerRa
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
 }
 
-void vtkOpenGLFlatBlockRayImage::End()
+void vtkOpenGLFlatBlockRayImage::End(bool keepsImages)
 {
   this->RayCounts = {};
-  if (this->Counts->GetHandle() != 0)
+  if (keepsImages)
   {
-    const auto width = static_cast<int>(this->Counts->GetWidth());
-    const auto height = static_cast<int>(this->Counts->GetHeight());
-    std::vector<float> counts(2 * static_cast<std::size_t>(width) * height);
-    this->Framebuffer->ActivateReadBuffer(1);
-    glReadPixels(0, 0, width, height, GL_RG, GL_FLOAT, counts.data());
-    for (std::size_t i = 0; i < counts.size(); i += 2)
-    {
-      this->RayCounts.Rays += counts[i + 1] > 0.0F ? 1 : 0;
-      this->RayCounts.CutOff += counts[i] < 0.0F ? 1 : 0;
-      this->RayCounts.Samples += std::abs(static_cast<double>(counts[i]));
-      this->RayCounts.Fetches += counts[i + 1];
-    }
+    this->KeepImages();
+  }
+  else if (this->Counts->GetHandle() != 0)
+  {
+    this->CountRays();
   }
   vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
   state->PopFramebufferBindings();
   state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
+}
+
+void vtkOpenGLFlatBlockRayImage::CountRays()
+{
+  const auto width = static_cast<int>(this->Counts->GetWidth());
+  const auto height = static_cast<int>(this->Counts->GetHeight());
+  std::vector<float> counts(2 * static_cast<std::size_t>(width) * height);
+  this->Framebuffer->ActivateReadBuffer(1);
+  glReadPixels(0, 0, width, height, GL_RG, GL_FLOAT, counts.data());
+  for (std::size_t i = 0; i < counts.size(); i += 2)
+  {
+    this->RayCounts.Rays += counts[i + 1] > 0.0F ? 1 : 0;
+    this->RayCounts.CutOff += counts[i] < 0.0F ? 1 : 0;
+    this->RayCounts.Samples += std::abs(static_cast<double>(counts[i]));
+    this->RayCounts.Fetches += counts[i + 1];
+  }
+}
+
+void vtkOpenGLFlatBlockRayImage::KeepImages()
+{
+  const auto width = static_cast<int>(this->Colors->GetWidth());
+  const auto height = static_cast<int>(this->Colors->GetHeight());
+  this->ColorImage->SetDimensions(width, height, 1);
+  this->ColorImage->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  this->DepthImage->SetDimensions(width, height, 1);
+  this->DepthImage->AllocateScalars(VTK_FLOAT, 1);
+  auto* colors = static_cast<unsigned char*>(this->ColorImage->GetScalarPointer());
+  auto* depths = static_cast<float*>(this->DepthImage->GetScalarPointer());
+  this->Framebuffer->ActivateReadBuffer(0);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, colors);
+  this->Framebuffer->ActivateReadBuffer(1);
+  glReadPixels(0, 0, width, height, GL_RED, GL_FLOAT, depths);
+  // Where no ray was, nothing was written.
+  std::replace(depths, depths + static_cast<std::ptrdiff_t>(width) * height, 0.0F, 1.0F);
+}
+
+void vtkOpenGLFlatBlockRayImage::GetImages(vtkImageData* color, vtkImageData* depth) const
+{
+  if (color)
+  {
+    color->DeepCopy(this->ColorImage);
+  }
+  if (depth)
+  {
+    depth->DeepCopy(this->DepthImage);
+  }
 }
 
 void vtkOpenGLFlatBlockRayImage::Activate(vtkShaderProgram* program)

@@ -10,6 +10,7 @@
 
 #include "MemoryCounter.h"
 #include "RaySampling.h"
+#include "vtkImageData.h" // for its smart pointer
 #include "vtkNew.h"
 #include "vtkObject.h"
 
@@ -48,9 +49,16 @@ public:
   void Begin(vtkRenderer* renderer, double pixelsPerRay, bool hasCounts);
 
   /**
-   * What was drawn to before is drawn to again. Adds up the counts.
+   * What was drawn to before is drawn to again. Adds up the counts, or else keeps both images.
+   * @param keepsImages  buffer 1 has depths
    */
-  void End();
+  void End(bool keepsImages);
+
+  /**
+   * What was kept: RGBA of 8 bit, multiplied by opacity, and depths in floats, from 0 at the
+   * camera's near plane to 1 at the far one or where there is nothing. Null is passed by.
+   */
+  void GetImages(vtkImageData* color, vtkImageData* depth) const;
 
   /**
    * Blends the image over the renderer's viewport, with the blend function that is set.
@@ -86,6 +94,11 @@ private:
   vtkNew<vtkTextureObject> Colors;
   vtkNew<vtkTextureObject> Counts;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  void CountRays();
+  void KeepImages();
+
+  vtkNew<vtkImageData> ColorImage;
+  vtkNew<vtkImageData> DepthImage;
   flatblock::CountedBytes Bytes;
   flatblock::RayCounts RayCounts;
   int Viewport[4] = { 0, 0, 0, 0 }; // drawn to before

@@ -99,7 +99,7 @@ void modulate(inout Gathered gathered, inout vec4 color, Brick brick, vec3 posit
 
 void addColor(inout Gathered gathered, vec4 color, vec3 position)
 {
-#ifdef FLATBLOCK_SELECTION
+#ifdef FLATBLOCK_SEEN
   if (gathered.color.a < Seen)
   {
     see(position);

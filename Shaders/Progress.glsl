@@ -5,14 +5,15 @@ uniform float in_StepLength; // in the smallest spacing
 uniform int in_MaximumNumberOfSamples;
 #endif
 
-// Where the ray first met something, for selections.
-#ifdef FLATBLOCK_SELECTION
+// Where the ray first met something, for selections and images of depths.
+#ifdef FLATBLOCK_SEEN
+const float Seen = 3.0 / 255.0; // opacity
 vec3 seenAt;
 #endif
 
 void see(vec3 position)
 {
-#ifdef FLATBLOCK_SELECTION
+#ifdef FLATBLOCK_SEEN
   seenAt = position;
 #endif
 }

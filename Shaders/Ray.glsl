@@ -89,6 +89,13 @@ float distanceToDepth(Ray ray, float depth)
   return -atOrigin / slope;
 }
 
+// Normalized device depth of a point.
+float depthOf(vec3 position)
+{
+  return in_DepthOfCenter + (dot(in_SampleToDepth.xyz, position) + in_SampleToDepth.w) /
+    (dot(in_SampleToClipW.xyz, position) + in_SampleToClipW.w);
+}
+
 void clipToScene(inout Ray ray)
 {
   float toNearPlane = -(dot(in_NearPlane.xyz, ray.origin) + in_NearPlane.w) /

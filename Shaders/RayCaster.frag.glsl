@@ -64,5 +64,8 @@ void main()
     discard;
   }
 #endif
+#ifdef FLATBLOCK_DEPTH_IMAGE
+  gl_FragData[1] = vec4(color.a < Seen ? 1.0 : 0.5 + 0.5 * depthOf(seenAt), 0.0, 0.0, 0.0);
+#endif
   gl_FragData[0] = color;
 }

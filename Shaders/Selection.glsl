@@ -10,8 +10,6 @@ uniform vec3 in_PropColor;
 uniform vec3 in_SampleToId; // added to a position in samples: the id along each axis is what is below
 uniform int in_Ids[3];      // an axis
 
-const float Seen = 3.0 / 255.0; // opacity
-
 vec4 idAt(vec3 position)
 {
   if (in_SelectionPass == PropPass)

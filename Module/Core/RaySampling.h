@@ -57,7 +57,8 @@ struct RaySampling
   bool RefinesImage = false;   ///< rays of a coarse grid come first, others only where they differ
   double ImageTolerance = 0.0; ///< by this
   bool CountsSamples = false;
-  bool IsSelection = false; ///< ids are drawn
+  bool IsSelection = false;  ///< ids are drawn
+  bool StaysInImage = false; ///< colours and depths are read back, and not drawn
 
   static constexpr double CoarsePixelsPerRay = 4.0;
 
@@ -78,10 +79,13 @@ struct RaySampling
   /// Whether samples and fetches of each ray are counted.
   bool HasCounts() const { return this->CountsSamples || this->MostSamples > 0; }
 
+  /// Whether the image of rays has counts, or depths, beside colours.
+  bool HasTwoImages() const { return this->HasCounts() || this->StaysInImage; }
+
   /// Whether rays are drawn to an image of their own first.
   bool HasImage() const
   {
-    return this->PixelsPerRay != 1.0 || this->HasCounts() || this->RefinesImage;
+    return this->PixelsPerRay != 1.0 || this->HasTwoImages() || this->RefinesImage;
   }
 };
 } // namespace flatblock

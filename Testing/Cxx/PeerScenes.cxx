@@ -29,7 +29,7 @@ std::vector<LeftOutScene> GetLeftOutScenes()
                       "vtkGPUVolumeRayCastMapper only" },
     { "DepthPeelingTransVol", "volumes do not peel: they come after translucent geometry" },
     { "RenderDepthToImage*, RenderDepthToTexture, RenderToTexture, VolumeDepthPass",
-      "the mapper draws to its window" },
+      "RenderToImage, in this suite; textures stay the mapper's own" },
     { "MapperShadows, SSAO", "no global illumination" },
     { "UserShader*, SurfaceProbe*, JitteringCustom", "VTK's own shaders or noise" },
     { "FourComponentsCompositeStreaming, TextureStreaming*", "VTK's partitions: blocks do this" },

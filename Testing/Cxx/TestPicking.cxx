@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 using namespace flatblock::testing;
 
@@ -246,4 +247,45 @@ TEST(Picker, MindsCropping)
   picker->PickCroppingPlanesOn();
   ASSERT_TRUE(picker->Pick(128.0, 128.0, 0.0, scene.Renderer));
   EXPECT_NEAR(picker->GetPickPosition()[2], Center[2], 1e-6);
+}
+
+// What is kept is what would be drawn; depths are those of the geometry that a ball would be.
+TEST(RenderToImage, KeepsColoursAndDepths)
+{
+  Scene scene;
+  ShowBall(scene, MakeBall());
+  scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+  const auto drawn = scene.Draw();
+  scene.Mapper->RenderToImageOn();
+  EXPECT_FALSE(ShowsSomething(scene.Draw()));
+  vtkNew<vtkImageData> color;
+  vtkNew<vtkImageData> depth;
+  scene.Mapper->GetColorImage(color);
+  scene.Mapper->GetDepthImage(depth);
+  ASSERT_EQ(color->GetNumberOfPoints(), 256 * 256);
+  ASSERT_EQ(depth->GetNumberOfPoints(), 256 * 256);
+  scene.Renderer->RemoveVolume(scene.Volume);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(Center.data());
+  sphere->SetRadius(Radius);
+  sphere->SetThetaResolution(200);
+  sphere->SetPhiResolution(200);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  scene.Renderer->AddActor(actor);
+  scene.Window->Render();
+  std::vector<float> expected(256 * 256);
+  scene.Window->GetZbufferData(0, 0, 255, 255, expected.data());
+  int wrong = 0;
+  for (int i = 0; i < 256 * 256; ++i)
+  {
+    const auto* kept = static_cast<const unsigned char*>(color->GetScalarPointer()) + 4 * i;
+    const auto* seen = static_cast<const unsigned char*>(drawn->GetScalarPointer()) + 3 * i;
+    ASSERT_NEAR(kept[0], seen[0], 1);
+    const float found = static_cast<const float*>(depth->GetScalarPointer())[i];
+    wrong += std::abs(found - expected[i]) > 5e-3F ? 1 : 0;
+  }
+  EXPECT_LE(wrong, 256 * 256 / 100); // at its edge
 }
