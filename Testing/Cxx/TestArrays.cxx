@@ -22,12 +22,7 @@ namespace
 {
 constexpr std::array<int, 3> Samples = { 40, 36, 44 };
 
-double WavesAt(int x, int y, int z)
-{
-  return 500.0 + 150.0 * (std::sin(0.21 * x) + std::cos(0.17 * y - 0.12 * x) + std::sin(0.19 * z));
-}
-
-vtkSmartPointer<vtkImageData> MakeWaves()
+vtkSmartPointer<vtkImageData> MakeSmallWaves()
 {
   return MakeVolume(Samples, VTK_FLOAT, WavesAt);
 }
@@ -44,7 +39,7 @@ void Show(Scene& scene, vtkImageData* image)
 // The same values, those of the cells of an image of one more point along each axis.
 vtkSmartPointer<vtkImageData> MakeCells()
 {
-  const auto waves = MakeWaves();
+  const auto waves = MakeSmallWaves();
   auto cells = vtkSmartPointer<vtkImageData>::New();
   cells->SetDimensions(Samples[0] + 1, Samples[1] + 1, Samples[2] + 1);
   cells->GetCellData()->SetScalars(waves->GetPointData()->GetScalars());
@@ -54,7 +49,7 @@ vtkSmartPointer<vtkImageData> MakeCells()
 // Values that are others', with the waves in one component.
 vtkSmartPointer<vtkFloatArray> Interleave(int components, int component)
 {
-  const auto waves = MakeWaves();
+  const auto waves = MakeSmallWaves();
   vtkDataArray* values = waves->GetPointData()->GetScalars();
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName("vectors");
@@ -92,7 +87,7 @@ TEST(Arrays, OfCellsAreDrawnAsThePeerDoes)
 TEST(Arrays, OfCellsHaveTheirValuesInTheMiddle)
 {
   Scene scene;
-  Show(scene, MakeWaves());
+  Show(scene, MakeSmallWaves());
   const Picture points = DrawFloats(scene);
   const auto cells = MakeCells();
   cells->SetOrigin(-0.5, -0.5, -0.5);
@@ -126,7 +121,7 @@ TEST(Arrays, OfASingleLayerOfCells)
 TEST(Arrays, AreTheOnesThatAreSelected)
 {
   Scene scene;
-  const auto image = MakeWaves();
+  const auto image = MakeSmallWaves();
   Show(scene, image);
   const Picture waves = DrawFloats(scene);
   const auto other = MakeVolume(Samples, VTK_SHORT, [](int x, int, int) { return 20.0 * x; });
@@ -154,7 +149,7 @@ TEST(Arrays, AreTheOnesThatAreSelected)
 TEST(Arrays, OfVectorsAreDrawnByComponentOrMagnitude)
 {
   Scene scene;
-  const auto image = MakeWaves();
+  const auto image = MakeSmallWaves();
   Show(scene, image);
   const Picture waves = DrawFloats(scene);
   image->GetPointData()->SetScalars(Interleave(6, 4));
@@ -180,7 +175,7 @@ TEST(Arrays, OfBitsAreDrawnAsBytes)
   const Picture expected = DrawFloats(scene);
   vtkNew<vtkBitArray> bits;
   bits->DeepCopy(bytes->GetPointData()->GetScalars());
-  const auto image = MakeWaves();
+  const auto image = MakeSmallWaves();
   image->GetPointData()->SetScalars(bits);
   scene.Mapper->SetInputData(image);
   EXPECT_EQ(LargestDifference(DrawFloats(scene), expected), 0.0);

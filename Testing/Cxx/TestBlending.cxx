@@ -19,18 +19,6 @@ constexpr int Modes[] = { vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
   vtkVolumeMapper::ADDITIVE_BLEND, vtkVolumeMapper::ISOSURFACE_BLEND,
   vtkVolumeMapper::SLICE_BLEND };
 
-double WavesAt(int x, int y, int z)
-{
-  return 500.0 + 150.0 * (std::sin(0.21 * x) + std::cos(0.17 * y - 0.12 * x) + std::sin(0.19 * z));
-}
-
-vtkSmartPointer<vtkImageData> MakeWaves()
-{
-  const auto image = MakeVolume({ 50, 46, 54 }, VTK_FLOAT, WavesAt);
-  image->SetSpacing(1.0, 1.2, 0.9);
-  return image;
-}
-
 void SetSlice(
   Scene& scene, const std::array<double, 3>& origin, const std::array<double, 3>& normal)
 {

@@ -18,11 +18,6 @@ using namespace flatblock::testing;
 
 namespace
 {
-double WavesAt(int x, int y, int z)
-{
-  return 500.0 + 150.0 * (std::sin(0.21 * x) + std::cos(0.17 * y - 0.12 * x) + std::sin(0.19 * z));
-}
-
 void Show(Scene& scene)
 {
   scene.SetVolume(MakeVolume({ 50, 46, 54 }, VTK_FLOAT, WavesAt), 0.25);

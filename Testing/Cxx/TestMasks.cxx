@@ -22,11 +22,6 @@ namespace
 constexpr std::array<int, 3> Samples = { 50, 46, 54 };
 using Label = std::function<double(int, int, int)>;
 
-double WavesAt(int x, int y, int z)
-{
-  return 500.0 + 150.0 * (std::sin(0.21 * x) + std::cos(0.17 * y - 0.12 * x) + std::sin(0.19 * z));
-}
-
 vtkSmartPointer<vtkImageData> MakeMask(const Label& label)
 {
   return MakeVolume(Samples, VTK_UNSIGNED_CHAR, label);

@@ -15,11 +15,6 @@ namespace
 {
 using Mapper = vtkFlatBlockVolumeMapper;
 
-double WavesAt(int x, int y, int z)
-{
-  return 500.0 + 150.0 * (std::sin(0.21 * x) + std::cos(0.17 * y - 0.12 * x) + std::sin(0.19 * z));
-}
-
 void Show(Scene& scene)
 {
   const auto image = MakeVolume({ 50, 46, 54 }, VTK_FLOAT, WavesAt);

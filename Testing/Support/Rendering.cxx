@@ -219,8 +219,8 @@ double ShareThatDiffers(vtkImageData* a, vtkImageData* b, int most)
     int largest = 0;
     for (int i = 0; i < 3; ++i)
     {
-      largest = std::max(
-        largest, std::abs(int(first.Begin[pixel + i]) - int(second.Begin[pixel + i])));
+      largest =
+        std::max(largest, std::abs(int(first.Begin[pixel + i]) - int(second.Begin[pixel + i])));
     }
     different += largest > most ? 1 : 0;
   }

@@ -68,6 +68,18 @@ vtkSmartPointer<vtkImageData> AnisotropicWavelet(int n)
   return image;
 }
 
+double WavesAt(int x, int y, int z)
+{
+  return 500.0 + 150.0 * (std::sin(0.21 * x) + std::cos(0.17 * y - 0.12 * x) + std::sin(0.19 * z));
+}
+
+vtkSmartPointer<vtkImageData> MakeWaves()
+{
+  const auto image = MakeVolume({ 50, 46, 54 }, VTK_FLOAT, WavesAt);
+  image->SetSpacing(1.0, 1.2, 0.9);
+  return image;
+}
+
 std::optional<vtkSmartPointer<vtkImageData>> ReadMRI()
 {
   const char* named = std::getenv("FLATBLOCK_MRI");

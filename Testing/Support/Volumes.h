@@ -23,6 +23,12 @@ vtkSmartPointer<vtkImageData> MarschnerLobb(int n);
 /// vtkRTAnalyticSource with `n`^3 float samples and spacing (1, 1.5, 2).
 vtkSmartPointer<vtkImageData> AnisotropicWavelet(int n);
 
+/// Waves in all directions, from 50 to 950.
+double WavesAt(int x, int y, int z);
+
+/// They as 50 x 46 x 54 floats, with spacing (1, 1.2, 0.9).
+vtkSmartPointer<vtkImageData> MakeWaves();
+
 /// The MRI template ch2better.nii.gz of Debian's mricron-data, or of the file that the environment
 /// variable FLATBLOCK_MRI names. Nothing where it is not installed.
 std::optional<vtkSmartPointer<vtkImageData>> ReadMRI();
