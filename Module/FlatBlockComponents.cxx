@@ -15,14 +15,9 @@ void SetColors(vtkShaderProgram* program, const ComponentTables& tables)
   float offset[3];
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const TexelEncoding& encoding = tables[i].Encoding;
-    const bool isSigned = encoding.Offset < 0.0;
-    const double largest =
-      encoding.Format == TexelFormat::Unsigned8
-        ? (isSigned ? 127.0 : 255.0)
-        : (encoding.Format == TexelFormat::Unsigned16 ? (isSigned ? 32767.0 : 65535.0) : 1.0);
-    scale[i] = static_cast<float>(encoding.Scale / largest);
-    offset[i] = static_cast<float>(encoding.Offset / largest);
+    const ComponentTable& table = tables[i];
+    scale[i] = static_cast<float>(table.Encoding.Scale / table.FullColor);
+    offset[i] = static_cast<float>(table.Encoding.Offset / table.FullColor);
   }
   program->SetUniform3f("in_ColorScale", scale);
   program->SetUniform3f("in_ColorOffset", offset);

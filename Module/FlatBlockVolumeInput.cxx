@@ -163,7 +163,7 @@ void SetSecondScalars(
   }
 }
 
-void SetMask(vtkFlatBlockDataMapper& mapper, VolumeInput& input)
+void SetMask(vtkFlatBlockDataMapper& mapper, vtkVolumeProperty* property, VolumeInput& input)
 {
   input.Mask = mapper.GetMaskInput();
   input.HasLabels = mapper.GetMaskType() == vtkFlatBlockDataMapper::LabelMapMaskType;
@@ -183,6 +183,10 @@ void SetMask(vtkFlatBlockDataMapper& mapper, VolumeInput& input)
       mapper.GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
   {
     Refuse("A mask is drawn with one component and composite blending only.");
+  }
+  if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
+  {
+    Refuse("A mask is drawn with 1D transfer functions only.");
   }
 }
 
@@ -215,7 +219,7 @@ VolumeInput GetVolumeInput(vtkFlatBlockDataMapper& mapper, vtkVolumeProperty* pr
   CheckGeometry(input.Image);
   SetScalars(mapper, input);
   input.Components = GetComponents(mapper, input.Scalars, property);
-  SetMask(mapper, input);
+  SetMask(mapper, property, input);
   SetSecondScalars(mapper, property, input);
   SetGeometry(input);
   return input;

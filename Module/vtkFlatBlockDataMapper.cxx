@@ -3,7 +3,7 @@
 vtkFlatBlockDataMapper::vtkFlatBlockDataMapper() = default;
 vtkFlatBlockDataMapper::~vtkFlatBlockDataMapper()
 {
-  this->SetTransfer2DYAxisArray(nullptr);
+  delete[] this->Transfer2DYAxisArray;
 }
 
 void vtkFlatBlockDataMapper::SetMaskInput(vtkImageData* mask)

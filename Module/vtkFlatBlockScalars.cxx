@@ -81,6 +81,13 @@ Array TakeComponent(const Array& values, int component)
   return one;
 }
 
+bool HasAny(vtkUnsignedCharArray* ghosts, int hidden)
+{
+  return ghosts &&
+         std::any_of(ghosts->GetPointer(0), ghosts->GetPointer(0) + ghosts->GetNumberOfValues(),
+           [hidden](unsigned char bits) { return (bits & hidden) != 0; });
+}
+
 Array Blank(const Array& values, vtkUnsignedCharArray* ghosts, int hidden, vtkTypeInt64& count)
 {
   Array blanked = MakeReals(values->GetDataType());
@@ -137,7 +144,7 @@ Array NumberLabels(const Array& mask, const std::vector<int>& labels, bool hasLa
 void vtkFlatBlockScalars::UpdateMask(
   const flatblock::VolumeInput& input, const std::vector<int>& labels)
 {
-  Array mask = UnpackBits(input.Mask->GetPointData()->GetScalars());
+  vtkDataArray* mask = input.Mask->GetPointData()->GetScalars();
   const void* samples = mask->GetVoidPointer(0);
   const vtkMTimeType time = std::max(input.Mask->GetMTime(), input.Image->GetMTime());
   if (this->Values && this->BuiltSamples == samples && this->BuiltImageTime == time &&
@@ -145,7 +152,7 @@ void vtkFlatBlockScalars::UpdateMask(
   {
     return;
   }
-  this->Values = NumberLabels(mask, labels, input.HasLabels);
+  this->Values = NumberLabels(UnpackBits(mask), labels, input.HasLabels);
   input.Image->GetDimensions(this->Samples.data());
   if (input.IsCellData)
   {
@@ -175,8 +182,8 @@ void vtkFlatBlockScalars::Update(
   Array values = TakeComponent(UnpackBits(array), component);
   vtkImageData* image = input.Image;
   image->GetDimensions(this->Samples.data());
-  const bool hidesPoints = image->HasAnyBlankPoints();
-  const bool hidesCells = !hidesPoints && image->HasAnyBlankCells();
+  const bool hidesPoints = HasAny(image->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT);
+  const bool hidesCells = HasAny(image->GetCellGhostArray(), vtkDataSetAttributes::HIDDENCELL);
   this->IgnoredBlanks = !input.IsCellData && hidesCells;
   Array ghosts = input.IsCellData ? image->GetCellGhostArray() : image->GetPointGhostArray();
   if (input.IsCellData)

@@ -75,9 +75,9 @@ int vtkFlatBlockSkipMap::ChooseCells(
 }
 
 void vtkFlatBlockSkipMap::Update(const std::vector<Part>& parts,
-  const std::vector<std::uint8_t>& visible, const Settings& settings)
+  const std::vector<std::uint8_t>& visible, vtkMTimeType visibleTime, const Settings& settings)
 {
-  vtkMTimeType edited = 0;
+  vtkMTimeType edited = visibleTime;
   for (const Part& part : parts)
   {
     edited = std::max({ edited, part.Builder->GetMTime(), part.Function->GetMTime() });

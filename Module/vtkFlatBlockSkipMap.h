@@ -63,10 +63,11 @@ public:
   /**
    * @param parts    of one grid, with settings that make no leaps over matter where they are
    * several
-   * @param visible  of all blocks, 0: it has no brick; follows from the two before
+   * @param visible  of all blocks, 0: it has no brick
+   * @param visibleTime  when that last changed
    */
   void Update(const std::vector<Part>& parts, const std::vector<std::uint8_t>& visible,
-    const Settings& settings);
+    vtkMTimeType visibleTime, const Settings& settings);
 
   const flatblock::SkipMap& Get() const { return this->Map; }
 

@@ -5,6 +5,19 @@
 
 // The components of the data that vtkFlatBlockVolumeMapper draws.
 
+namespace
+{
+// The largest value of small integers; reals are from 0 to 1.
+double GetFullColor(vtkDataArray* values)
+{
+  constexpr int MostBytes = 2;
+  const int type = values->GetDataType();
+  const bool isSmall =
+    type != VTK_FLOAT && type != VTK_DOUBLE && values->GetDataTypeSize() <= MostBytes;
+  return isSmall ? values->GetDataTypeMax() : 1.0;
+}
+} // namespace
+
 // All anew where they are others than before: so whatever was made of them is out of date.
 void vtkFlatBlockVolumeMapper::vtkInternals::SetChannels(
   const flatblock::VolumeInput& input, vtkVolumeProperty* property)
@@ -123,13 +136,14 @@ flatblock::ComponentTables vtkFlatBlockVolumeMapper::vtkInternals::GetTables() c
   flatblock::ComponentTables components;
   for (const auto& channel : this->Channels)
   {
-    components.push_back({ &channel->TransferFunction->GetTable(),
-      channel->Builder->GetSource().GetEncoding(), channel->Weight });
+    components.push_back(
+      { &channel->TransferFunction->GetTable(), channel->Builder->GetSource().GetEncoding(),
+        channel->Weight, GetFullColor(channel->Scalars->GetValues()) });
   }
   for (std::size_t i = 0; this->Mask && i < this->Mask->Labels.size(); ++i)
   {
     components.push_back({ &this->Mask->Labels[i]->TransferFunction->GetTable(),
-      this->Builder->GetSource().GetEncoding(), 1.0 });
+      this->Builder->GetSource().GetEncoding(), 1.0, 1.0 });
   }
   return components;
 }

@@ -68,7 +68,8 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
 void vtkFlatBlockVolumeMapper::DrawRays(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
-  const bool adjusts = this->AutoAdjustSampleDistances && flatblock::IsInteractive(renderer);
+  const bool adjusts =
+    this->AutoAdjustSampleDistances && flatblock::IsInteractive(renderer) && !in.Selection;
   double milliseconds = 0.0;
   {
     flatblock::StageTimer timer(milliseconds);
@@ -254,8 +255,9 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
     in.CardLimit = {};
   }
   const flatblock::ComponentTables tables = in.GetTables();
-  in.RayCaster->ReleaseStale(
-    renderer, tables, { in.GetSkipMapBytes(), in.GetGradientTableBytes() }, in.Sampling);
+  in.RayCaster->ReleaseStale(renderer, tables,
+    { in.GetSkipMapBytes(), in.GetGradientTableBytes(), in.GetBrickRangeBytes() },
+    in.PlainSampling);
   while (!this->TryAtlas(renderer, volume))
   {
     this->ShrinkAtlas();
@@ -263,7 +265,11 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
   if (!in.RayCaster->HasTransferTable(in.Sampling) || in.GetFunctionTime() > in.TransferTextureTime)
   {
     flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
-    in.RayCaster->SetTransferTable(in.Window, tables, in.Sampling);
+    if (!in.RayCaster->SetTransferTable(in.Window, tables, in.Sampling))
+    {
+      throw std::runtime_error(
+        "The graphics card has no room for the functions of so many labels.");
+    }
     in.TransferTextureTime.Modified();
   }
 }

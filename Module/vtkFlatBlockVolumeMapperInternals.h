@@ -164,7 +164,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // whose context holds the textures
   flatblock::VolumeInput Input;
-  flatblock::RaySampling Sampling; // of this frame
+  flatblock::RaySampling Sampling;      // of this frame,
+  flatblock::RaySampling PlainSampling; // and as it is but for selections
   std::optional<flatblock::Selection> Selection;
   double InteractiveFactor = 1.0; // by which interactive frames lengthen their distances
   vtkTimeStamp VisibleBlocksTime;

@@ -109,6 +109,8 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
     sampling.CountsSamples = false;
     sampling.MostSamples = 0;
   }
+  sampling.IsSelection = false;
+  in.PlainSampling = sampling;
   sampling.IsSelection = in.Selection.has_value();
   if (sampling.IsSelection)
   {
@@ -126,7 +128,7 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
 // atlas is the same for all frames.
 vtkTypeInt64 vtkFlatBlockVolumeMapper::GetImageBytes(vtkRenderer* renderer) const
 {
-  const flatblock::RaySampling& sampling = this->Internals->Sampling;
+  const flatblock::RaySampling& sampling = this->Internals->PlainSampling;
   flatblock::RaySampling interactive = sampling;
   interactive.PixelsPerRay = LeastInteractiveFactor;
   flatblock::RaySampling refined = sampling;

@@ -50,7 +50,11 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateSkipMap(vtkFlatBlockSkipMap::
     {
       parts.push_back({ this->Builder, this->Mask->Labels[i]->TransferFunction });
     }
-    this->SkipMap->Update(parts, this->VisibleBlocks, settings);
+    if (parts.empty()) // none has any weight
+    {
+      parts.push_back({ this->Builder, this->TransferFunction });
+    }
+    this->SkipMap->Update(parts, this->VisibleBlocks, this->VisibleBlocksTime.GetMTime(), settings);
   }
   if (!this->RayCaster->HasSkipMap() || this->SkipMap->GetMTime() > this->SkipTextureTime)
   {

@@ -11,7 +11,7 @@ vtkStandardNewMacro(vtkOpenGLFlatBlockGradientTexture);
 
 vtkTypeInt64 vtkOpenGLFlatBlockGradientTexture::GetBytes(const flatblock::GradientTable& table)
 {
-  return static_cast<vtkTypeInt64>(sizeof(float) * table.Texels.size());
+  return static_cast<vtkTypeInt64>(sizeof(float)) * static_cast<vtkTypeInt64>(table.Texels.size());
 }
 
 bool vtkOpenGLFlatBlockGradientTexture::Upload(

@@ -75,6 +75,7 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
   this->SceneDepth->ReleaseIfStale(renderer);
   this->SkipTexture->ReleaseIfStale(renderer->GetRenderWindow(), bytes.SkipMap);
   this->GradientTexture->ReleaseIfStale(renderer->GetRenderWindow(), bytes.GradientTable);
+  this->BrickRanges->ReleaseIfStale(renderer->GetRenderWindow(), bytes.BrickRanges);
   this->TransferTable->ReleaseIfStale(
     renderer->GetRenderWindow(), tables, NeedsIntegrals(sampling));
   if (sampling.HasImage())
@@ -87,10 +88,10 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
   }
 }
 
-void vtkOpenGLFlatBlockRayCaster::SetTransferTable(vtkOpenGLRenderWindow* window,
+bool vtkOpenGLFlatBlockRayCaster::SetTransferTable(vtkOpenGLRenderWindow* window,
   const flatblock::ComponentTables& tables, const flatblock::RaySampling& sampling)
 {
-  this->TransferTable->Upload(window, tables, NeedsIntegrals(sampling));
+  return this->TransferTable->Upload(window, tables, NeedsIntegrals(sampling));
 }
 
 bool vtkOpenGLFlatBlockRayCaster::HasTransferTable(const flatblock::RaySampling& sampling) const

@@ -74,6 +74,7 @@ public:
   {
     vtkTypeInt64 SkipMap;
     vtkTypeInt64 GradientTable;
+    vtkTypeInt64 BrickRanges;
   };
   void ReleaseStale(vtkRenderer* renderer, const flatblock::ComponentTables& tables,
     const LookupBytes& bytes, const flatblock::RaySampling& sampling);
@@ -81,8 +82,9 @@ public:
   /**
    * Sends transfer functions to the graphics card, where Draw() finds it: with its integrals where
    * segments are integrated.
+   * @return whether the graphics card takes so many entries
    */
-  void SetTransferTable(vtkOpenGLRenderWindow* window, const flatblock::ComponentTables& tables,
+  bool SetTransferTable(vtkOpenGLRenderWindow* window, const flatblock::ComponentTables& tables,
     const flatblock::RaySampling& sampling);
   bool HasTransferTable(const flatblock::RaySampling& sampling) const;
 

@@ -1,3 +1,5 @@
+#include "vtk_glew.h"
+
 #include "vtkOpenGLFlatBlockTransferTable.h"
 
 #include "TransferIntegrals.h"
@@ -34,7 +36,7 @@ vtkTypeInt64 vtkOpenGLFlatBlockTransferTable::GetBytes(
   return entries * GetTexelsPerEntry(hasIntegrals) * bytesPerTexel;
 }
 
-void vtkOpenGLFlatBlockTransferTable::Upload(
+bool vtkOpenGLFlatBlockTransferTable::Upload(
   vtkOpenGLRenderWindow* window, const flatblock::ComponentTables& tables, bool hasIntegrals)
 {
   static_assert(sizeof(flatblock::TransferTable::Entry) == 4 * sizeof(float));
@@ -46,6 +48,12 @@ void vtkOpenGLFlatBlockTransferTable::Upload(
                    : component.Table->GetEntries();
     texels.insert(texels.end(), own.begin(), own.end());
   }
+  int mostTexels = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &mostTexels);
+  if (texels.size() > static_cast<std::size_t>(mostTexels))
+  {
+    return false;
+  }
   this->Texture->SetContext(window);
   this->Buffer->Upload(texels, vtkOpenGLBufferObject::TextureBuffer);
   this->Texture->CreateTextureBuffer(
@@ -53,6 +61,7 @@ void vtkOpenGLFlatBlockTransferTable::Upload(
   this->Bytes.Set(GetBytes(tables, hasIntegrals));
   this->HasIntegrals = hasIntegrals;
   this->TotalDepth = hasIntegrals ? texels[texels.size() - flatblock::TransferTexels + 1][3] : 0.0;
+  return true;
 }
 
 bool vtkOpenGLFlatBlockTransferTable::NeedsLongSums(double length) const

@@ -36,8 +36,9 @@ public:
 
   /**
    * Sends tables to the graphics card.
+   * @return whether it takes so many entries
    */
-  void Upload(
+  bool Upload(
     vtkOpenGLRenderWindow* window, const flatblock::ComponentTables& tables, bool hasIntegrals);
 
   /**

@@ -22,8 +22,23 @@ void beginPart(inout Gathered gathered) {}
 
 void gatherMatter(inout Gathered gathered, Progress progress, vec3 position, float length) {}
 
+bool hasAny(Gathered gathered)
+{
+#ifdef FLATBLOCK_AVERAGE
+  return gathered.length > 0.0;
+#else
+  return gathered.sum > 0.0;
+#endif
+}
+
 vec4 colorOf(Gathered gathered)
 {
+#ifdef FLATBLOCK_SEEN
+  if (!hasAny(gathered))
+  {
+    return vec4(0.0);
+  }
+#endif
 #ifdef FLATBLOCK_AVERAGE
   float gray = gathered.sum / max(gathered.length, 1e-30);
   return gathered.length > 0.0 ? vec4(vec3(clamp(gray, 0.0, 1.0)), 1.0) : vec4(0.0);
@@ -62,7 +77,6 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
 {
   while (mustBeFound(progress, stretch))
   {
-    see(origin + progress.at * ray.direction);
     findFront(progress, ray, origin);
     gathered.front = shareOf(progress.front);
   }
@@ -73,8 +87,13 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
     float length = 0.5 * (target - progress.at) * ray.unit * in_StepLength;
     moveTo(progress, pointAt(brick, origin + target * ray.direction), target, brick);
     vec2 back = shareOf(progress.front);
+    bool isFirst = !hasAny(gathered);
     gathered.sum += length * (gathered.front.x + back.x);
     gathered.length += length * (gathered.front.y + back.y);
+    if (isFirst && hasAny(gathered))
+    {
+      see(origin + target * ray.direction);
+    }
     gathered.front = back;
     countSample(progress);
   }

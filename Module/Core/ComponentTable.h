@@ -14,6 +14,7 @@ struct ComponentTable
   const TransferTable* Table = nullptr;
   TexelEncoding Encoding; ///< of the component's values
   double Weight = 1.0;    ///< of independent ones
+  double FullColor = 1.0; ///< value that is a full colour, where values are colours
 };
 
 using ComponentTables = std::vector<ComponentTable>;

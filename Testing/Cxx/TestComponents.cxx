@@ -253,3 +253,15 @@ TEST(Components, OfAnotherBlendModeAreAnError)
   scene.Mapper->SetBlendModeToComposite();
   EXPECT_EQ(LargestDifference(scene.Draw(), good), 0.0);
 }
+
+TEST(Components, WithoutAnyWeightShowNothing)
+{
+  Scene scene;
+  Show(scene, MakeWaves(2), 2, true);
+  scene.Property->SetComponentWeight(0, 0.0);
+  scene.Property->SetComponentWeight(1, 0.0);
+  for (const auto& pixel : DrawFloats(scene))
+  {
+    ASSERT_EQ(pixel[3], 0.0);
+  }
+}

@@ -180,7 +180,15 @@ TEST(Masks, FollowTheirChanges)
   const Picture before = DrawFloats(scene);
   mask->GetPointData()->GetScalars()->Fill(1.0);
   mask->GetPointData()->GetScalars()->Modified();
-  EXPECT_GE(RootMeanSquare(DrawFloats(scene), before), 1e-2);
+  const Picture after = DrawFloats(scene);
+  EXPECT_GE(RootMeanSquare(after, before), 1e-2);
+  Scene fresh;
+  Show(fresh);
+  fresh.Mapper->SetMaskInput(mask);
+  fresh.Mapper->SetMaskTypeToBinary();
+  EXPECT_EQ(LargestDifference(DrawFloats(fresh), after), 0.0);
+  scene.Mapper->SetMaskInput(MakeMask([](int x, int, int) { return x < 16 ? 1.0 : 0.0; }));
+  EXPECT_EQ(LargestDifference(DrawFloats(scene), before), 0.0);
 }
 
 TEST(Masks, ThatDoNotFitAreAnError)
@@ -205,6 +213,10 @@ TEST(Masks, ThatDoNotFitAreAnError)
   scene.Mapper->SetMaskInput(MakeMask(LabelAt));
   scene.Mapper->SetBlendModeToMaximumIntensity();
   expectError("composite blending");
+  scene.Mapper->SetBlendModeToComposite();
+  scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+  expectError("1D transfer functions");
+  scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
   scene.Mapper->SetMaskInput(nullptr);
   scene.Mapper->SetBlendModeToComposite();
   EXPECT_EQ(LargestDifference(scene.Draw(), good), 0.0);

@@ -178,6 +178,31 @@ TEST(Selection, FindsIsosurfacesAndSlices)
   }
 }
 
+// A sum is where it begins, and nowhere where there is nothing to add.
+TEST(Selection, FindsSums)
+{
+  Scene scene;
+  ShowBall(scene, MakeBall());
+  scene.Mapper->SetBlendModeToAdditive();
+  scene.SetOpacity({ { 100.0, 0.0 }, { 100.01, 0.5 } });
+  ExpectIdsOnTheBall(
+    scene, vtkDataObject::FIELD_ASSOCIATION_CELLS, Samples[0] - 1, Samples[1] - 1, 0.5);
+}
+
+// A pick leaves the memory of the frames around it as it is.
+TEST(Selection, UploadsNothing)
+{
+  Scene scene;
+  ShowBall(scene, MakeBall());
+  scene.Mapper->SetMaxMemoryInBytes(Beside + 1500000);
+  scene.Mapper->CountSamplesOn();
+  scene.Draw();
+  Select(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  EXPECT_EQ(scene.Mapper->GetUploadedBytes(), 0);
+  scene.Draw();
+  EXPECT_EQ(scene.Mapper->GetUploadedBytes(), 0);
+}
+
 // What is in front is found, and what is seen through nothing.
 TEST(Selection, TellsPropsApart)
 {
