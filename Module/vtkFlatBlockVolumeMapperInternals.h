@@ -141,11 +141,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
 
   flatblock::MemoryCounter Memory;                           // outlives those who count in it
   std::vector<std::unique_ptr<flatblock::Channel>> Channels; // at least one
-  bool AreIndependent = false;
-  bool HasSecondArray = false;                  // the last channel has the rows of 2D functions
-  std::unique_ptr<flatblock::MaskChannel> Mask; // of a single channel
+  std::unique_ptr<flatblock::MaskChannel> Mask;              // of a single channel
   std::unique_ptr<flatblock::InterleavedBricks> Interleaved; // of several channels
-  int Lead = 0;
   // Of the channel that opacity comes from; of several, the weightiest.
   vtkFlatBlockScalars* Scalars = nullptr;
   vtkFlatBlockBuilder* Builder = nullptr;
@@ -172,7 +169,6 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkTimeStamp TransferTextureTime;
   vtkTimeStamp GradientTextureTime;
   vtkTimeStamp SkipTextureTime;
-  bool AreBrickRangesCurrent = false;
   vtkTimeStamp ExtinctionTime;
   vtkTimeStamp TransmittanceTime;
   flatblock::VolumeView TransmittanceView; // only compared with
@@ -180,11 +176,15 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkTypeInt64 Frames = 0; // drawn so far
   vtkTypeInt64 LastAtlasBytes = 0;
   flatblock::CardLimit CardLimit;
-  bool WasConverged = true;
   std::string LastError;
   std::string LastWarning;
-  bool IsDistortionCurrent = true; // or not asked for
-  bool HasCudaFailed = false;
   std::string LastSampleWarning;
   vtkSmartPointer<vtkVolumeProperty> Property; // of the last frame
+  int Lead = 0; // the channel whose scalars, builder and function are named above
+  bool AreIndependent = false;
+  bool HasSecondArray = false; // the last channel has the rows of 2D functions
+  bool AreBrickRangesCurrent = false;
+  bool WasConverged = true;
+  bool IsDistortionCurrent = true; // or not asked for
+  bool HasCudaFailed = false;
 };
