@@ -68,8 +68,11 @@ void SetSecondArray(vtkShaderProgram* program, const ComponentTables& tables)
 void SetMask(vtkShaderProgram* program, const RaySampling& sampling, const ComponentTables& tables,
   const MaskOptions& mask)
 {
-  program->SetUniformi(
-    "in_EntriesPerTable", static_cast<int>(tables.front().Table->GetEntries().size()));
+  if (sampling.Blending.IsComposite())
+  {
+    program->SetUniformi(
+      "in_EntriesPerTable", static_cast<int>(tables.front().Table->GetEntries().size()));
+  }
   program->SetUniformf("in_LowestLabel", static_cast<float>(mask.LowestLabel));
   if (sampling.Mask == MaskKind::Labels)
   {

@@ -17,6 +17,7 @@
 #include "FlatBlockGradientGLSL.h"
 #include "FlatBlockIsosurfacesGLSL.h"
 #include "FlatBlockMarchGLSL.h"
+#include "FlatBlockMaskGLSL.h"
 #include "FlatBlockMaskedGLSL.h"
 #include "FlatBlockPostInterpolationGLSL.h"
 #include "FlatBlockPreIntegratedGLSL.h"
@@ -45,7 +46,8 @@ std::string GetClassification(const RaySampling& sampling)
   const Classification method = sampling.Method;
   if (!sampling.Blending.IsComposite())
   {
-    return FlatBlockValuePointGLSL;
+    const bool isMasked = sampling.Mask != MaskKind::None;
+    return std::string(isMasked ? FlatBlockMaskGLSL : "") + FlatBlockValuePointGLSL;
   }
   if (sampling.IsTwoDimensional)
   {
@@ -53,7 +55,7 @@ std::string GetClassification(const RaySampling& sampling)
   }
   if (sampling.Mask != MaskKind::None)
   {
-    return std::string(FlatBlockClassifiedPointGLSL) + FlatBlockMaskedGLSL;
+    return std::string(FlatBlockClassifiedPointGLSL) + FlatBlockMaskGLSL + FlatBlockMaskedGLSL;
   }
   if (sampling.Components > 1)
   {

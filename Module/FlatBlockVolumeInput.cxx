@@ -179,10 +179,10 @@ void SetMask(vtkFlatBlockDataMapper& mapper, vtkVolumeProperty* property, Volume
       " values, not ", labels ? labels->GetNumberOfTuples() : 0, " of ",
       labels ? labels->GetNumberOfComponents() : 0, ".");
   }
-  if (input.Components.Numbers.size() > 1 ||
-      mapper.GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  const bool isComposite = mapper.GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND;
+  if (input.Components.Numbers.size() > 1 || (input.HasLabels && !isComposite))
   {
-    Refuse("A mask is drawn with one component and composite blending only.");
+    Refuse("A mask is drawn with one component, and one of labels with composite blending only.");
   }
   if (property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
   {

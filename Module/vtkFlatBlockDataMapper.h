@@ -78,8 +78,8 @@ public:
    * A mask, of one component and as many points as there are values (cells, of cell data); none by
    * default. Its nearest value counts. Binary: where it is 0, nothing is drawn. LabelMap (default):
    * numbers of functions in vtkVolumeProperty::SetLabelColor() and SetLabelScalarOpacity(), up to
-   * 255 of them; what has none of either, or is 0, has the default ones. With composite blending of
-   * one component; anything else is an error.
+   * 255 of them; what has none of either, or is 0, has the default ones. An error with several
+   * components or 2D functions; labels are drawn by composite blending only.
    */
   virtual void SetMaskInput(vtkImageData* mask);
   vtkImageData* GetMaskInput() const { return this->MaskInput; }

@@ -20,6 +20,16 @@ const int TexelComponents = FLATBLOCK_COMPONENTS;
 const int TexelComponents = 1;
 #endif
 
+float valueOf(float texel)
+{
+  return texel;
+}
+
+float valueOf(vec4 texel)
+{
+  return texel.r;
+}
+
 const uint NotResident = 65535u;
 
 #ifdef FLATBLOCK_GRADIENT

@@ -47,16 +47,6 @@ struct Differences
   Texel z;
 };
 
-float valueOf(float texel)
-{
-  return texel;
-}
-
-float valueOf(vec4 texel)
-{
-  return texel.r;
-}
-
 // A texel, or the opacity of its value over a unit of length.
 Texel differedAt(bool ofOpacity, Brick brick, vec3 at)
 {

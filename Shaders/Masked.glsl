@@ -1,18 +1,10 @@
-// Classification of values under a mask: the second component, of the nearest sample. It is the number
-// of the table that a value is looked up in, or nothing is seen where it is 0.
+// Classification of values under a mask: its label is the number of the table that a value is looked up
+// in, or nothing is seen where it is 0.
 
 uniform int in_EntriesPerTable;
-uniform float in_LowestLabel; // of the mask
 #ifdef FLATBLOCK_LABELS
 uniform float in_MaskBlendFactor; // 0: the first table alone counts, 1: that of the label
 #endif
-
-int labelAt(Brick brick, vec3 position)
-{
-  countFetches(1);
-  ivec3 texel = ivec3(brick.origin + floor(inBrick(brick, position) + 0.5));
-  return int(texelFetch(in_Atlas, texel, 0).g * 255.0 + in_LowestLabel + 0.5);
-}
 
 vec4 matterIn(int table, float position)
 {

@@ -3,7 +3,7 @@
 struct Point
 {
   float value;
-#ifdef FLATBLOCK_HOLES
+#if defined(FLATBLOCK_HOLES) || defined(FLATBLOCK_MASK)
   bool isHole;
 #endif
 };
@@ -12,7 +12,7 @@ Point noPoint()
 {
   Point point;
   point.value = 0.0;
-#ifdef FLATBLOCK_HOLES
+#if defined(FLATBLOCK_HOLES) || defined(FLATBLOCK_MASK)
   point.isHole = true;
 #endif
   return point;
@@ -20,7 +20,7 @@ Point noPoint()
 
 bool hasValue(Point point)
 {
-#ifdef FLATBLOCK_HOLES
+#if defined(FLATBLOCK_HOLES) || defined(FLATBLOCK_MASK)
   return !point.isHole;
 #else
   return true;
@@ -29,10 +29,12 @@ bool hasValue(Point point)
 
 Point pointAt(Brick brick, vec3 position)
 {
-  float texel = texelOf(brick, position);
+  Texel texel = texelOf(brick, position);
   Point point;
-  point.value = positionInTable(texel);
-#ifdef FLATBLOCK_HOLES
+  point.value = positionInTable(valueOf(texel));
+#if defined(FLATBLOCK_MASK)
+  point.isHole = isHole(texel) || labelAt(brick, position) == 0;
+#elif defined(FLATBLOCK_HOLES)
   point.isHole = isHole(texel);
 #endif
   return point;

@@ -23,7 +23,6 @@ std::vector<LeftOutScene> GetLeftOutScenes()
     { "FourComponentsAdditive, FourComponentsAverage, FourComponentsMIP, FourComponentsMinIP, "
       "ThreeComponentsAdditive",
       "several components are drawn by composite blending only; an error says so" },
-    { "MIPBinaryMask", "masks are drawn by composite blending only; an error says so" },
     { "MapperRectilinearGrid", "an error names vtkResampleToImage" },
     { "MultiVolume*", "volumes that overlap are drawn one after the other; vtkMultiVolume takes "
                       "vtkGPUVolumeRayCastMapper only" },

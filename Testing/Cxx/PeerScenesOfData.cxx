@@ -172,6 +172,14 @@ std::vector<PeerScene> GetPeerScenesOfData()
     { "CompositeMask", 42.0, 0.98, [](Scene& s) { SetMask(s, false, 1.0, false); }, "" },
     { "CompositeMaskBlend", 42.0, 0.98, [](Scene& s) { SetMask(s, false, 0.5, false); }, "" },
     { "CompositeShadeMask", 43.0, 0.98, [](Scene& s) { SetMask(s, false, 1.0, true); }, "" },
+    { "MIPBinaryMask", 34.0, 0.97,
+      [](Scene& s)
+      {
+        SetMask(s, true, 1.0, false);
+        SetFunctions(s, 0.9);
+        Both(s, [](auto* m) { m->SetBlendModeToMaximumIntensity(); });
+      },
+      "" },
     { "LabelMap", 42.0, 0.98, [](Scene& s) { SetMask(s, false, 1.0, false); }, "" },
     { "DependentComponentsLightParameters", 44.0, 0.99,
       [](Scene& s) { SetComponents(s, 4, false, true); }, "" },

@@ -4,9 +4,11 @@
 
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 
 #include <gtest/gtest.h>
@@ -152,6 +154,32 @@ TEST(Masks, OfCoarseLevelsMixNoLabels)
   for (const auto& pixel : picture)
   {
     ASSERT_LE(pixel[0], 1e-6);
+  }
+}
+
+TEST(Masks, ThatAreBinaryGoWithAllBlendModes)
+{
+  for (int mode = vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND; mode <= vtkVolumeMapper::SLICE_BLEND;
+       ++mode)
+  {
+    Scene scene;
+    Show(scene);
+    scene.Property->GetIsoSurfaceValues()->SetValue(0, 600.0);
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(25.0, 22.0, 25.0);
+    plane->SetNormal(1.0, 0.5, 0.3);
+    scene.Property->SetSliceFunction(plane);
+    scene.Property->SetInterpolationTypeToNearest();
+    scene.Mapper->SetBlendMode(mode);
+    const Picture whole = DrawFloats(scene);
+    scene.Mapper->SetMaskInput(MakeMask([](int x, int, int) { return x < 20 ? 1.0 : 0.0; }));
+    scene.Mapper->SetMaskTypeToBinary();
+    const Picture masked = DrawFloats(scene);
+    EXPECT_GE(RootMeanSquare(masked, whole), 1e-2) << mode;
+    scene.Mapper->SetMaskInput(nullptr);
+    scene.Mapper->CroppingOn();
+    scene.Mapper->SetCroppingRegionPlanes(-1.0, 19.5, -1.0, 99.0, -1.0, 99.0);
+    EXPECT_LE(RootMeanSquare(DrawFloats(scene), masked), 3e-2) << mode;
   }
 }
 
