@@ -1,5 +1,6 @@
 #include "FlatBlockBlending.h"
 
+#include "FlatBlockVolumeInput.h"
 #include "RaySampling.h"
 #include "ViewRegion.h"
 
@@ -52,6 +53,22 @@ void CheckSlice(vtkVolumeProperty* property)
   }
 }
 
+// Of dependent ones there is no value to add up, and of several none that a surface has.
+void CheckComponents(const Components& components, const Blending& blending)
+{
+  const bool isDrawn = blending.IsComposite() || blending.IsExtreme() ||
+                       (components.AreIndependent && blending.Mode != BlendMode::Isosurface &&
+                         blending.Mode != BlendMode::Slice);
+  if (components.Numbers.size() > 1 && !isDrawn)
+  {
+    throw std::runtime_error(
+      "Of " + std::to_string(components.Numbers.size()) + " components " +
+      (components.AreIndependent ? "isosurfaces and slices" : "only composites and extremes") +
+      (components.AreIndependent ? " cannot be drawn." : " can be drawn.") +
+      " SetVectorMode() takes one of them, or their magnitude.");
+  }
+}
+
 float ToTable(const TransferTable& table, double value)
 {
   constexpr double Most = 1e30; // so that it is a float
@@ -59,15 +76,10 @@ float ToTable(const TransferTable& table, double value)
 }
 } // namespace
 
-Blending GetBlending(vtkVolumeMapper* mapper, vtkVolumeProperty* property, int components)
+Blending GetBlending(
+  vtkVolumeMapper* mapper, vtkVolumeProperty* property, const Components& components)
 {
   Blending blending;
-  if (components > 1 && mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
-  {
-    throw std::runtime_error("Of " + std::to_string(components) +
-                             " components only composite blending can be drawn. SetVectorMode() "
-                             "takes one of them, or their magnitude.");
-  }
   switch (mapper->GetBlendMode())
   {
   case vtkVolumeMapper::COMPOSITE_BLEND:
@@ -97,11 +109,12 @@ Blending GetBlending(vtkVolumeMapper* mapper, vtkVolumeProperty* property, int c
     throw std::runtime_error(
       "There is no blend mode " + std::to_string(mapper->GetBlendMode()) + ".");
   }
+  CheckComponents(components, blending);
   return blending;
 }
 
 void SetBlending(vtkShaderProgram* program, const RaySampling& sampling, const Clipping& clipping,
-  const TransferTable& table)
+  const ComponentTables& tables)
 {
   const Blending& blending = sampling.Blending;
   if (blending.HasSurfaces())
@@ -110,9 +123,14 @@ void SetBlending(vtkShaderProgram* program, const RaySampling& sampling, const C
   }
   if (blending.Mode == BlendMode::Average)
   {
-    const float range[2] = { ToTable(table, blending.AverageRange[0]),
-      ToTable(table, blending.AverageRange[1]) };
-    program->SetUniform2f("in_AverageRange", range);
+    float ranges[4][2] = {};
+    for (std::size_t i = 0; i < tables.size() && i < 4; ++i)
+    {
+      const auto last = static_cast<float>(tables[i].Table->GetEntries().size() - 1);
+      ranges[i][0] = ToTable(*tables[i].Table, blending.AverageRange[0]) / last;
+      ranges[i][1] = ToTable(*tables[i].Table, blending.AverageRange[1]) / last;
+    }
+    program->SetUniform2fv("in_AverageRanges", sampling.Components, ranges);
   }
   else if (blending.Mode == BlendMode::Additive)
   {
@@ -123,7 +141,7 @@ void SetBlending(vtkShaderProgram* program, const RaySampling& sampling, const C
   {
     std::vector<float> positions(blending.IsoValues.size());
     std::transform(blending.IsoValues.begin(), blending.IsoValues.end(), positions.begin(),
-      [&table](double value) { return ToTable(table, value); });
+      [&tables](double value) { return ToTable(*tables.front().Table, value); });
     program->SetUniform1fv("in_IsoValues", static_cast<int>(positions.size()), positions.data());
   }
   else if (clipping.Slice)

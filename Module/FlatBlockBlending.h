@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Blending.h"
+#include "ComponentTable.h"
 
 class vtkShaderProgram;
 class vtkVolumeMapper;
@@ -10,11 +11,13 @@ class vtkVolumeProperty;
 namespace flatblock
 {
 struct Clipping;
+struct Components;
 struct RaySampling;
 
 /// @throws std::runtime_error where a setting that the blend mode needs is missing
-Blending GetBlending(vtkVolumeMapper* mapper, vtkVolumeProperty* property, int components);
+Blending GetBlending(
+  vtkVolumeMapper* mapper, vtkVolumeProperty* property, const Components& components);
 
 void SetBlending(vtkShaderProgram* program, const RaySampling& sampling, const Clipping& clipping,
-  const TransferTable& table);
+  const ComponentTables& tables);
 } // namespace flatblock

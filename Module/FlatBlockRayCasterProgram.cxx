@@ -10,6 +10,9 @@
 #include "FlatBlockBlocksGLSL.h"
 #include "FlatBlockClassifiedPointGLSL.h"
 #include "FlatBlockClippingGLSL.h"
+#include "FlatBlockComponentExtremesGLSL.h"
+#include "FlatBlockComponentTablesGLSL.h"
+#include "FlatBlockComponentValuesGLSL.h"
 #include "FlatBlockComponentsGLSL.h"
 #include "FlatBlockCompositingGLSL.h"
 #include "FlatBlockCountingGLSL.h"
@@ -46,6 +49,10 @@ std::string GetClassification(const RaySampling& sampling)
   const Classification method = sampling.Method;
   if (!sampling.Blending.IsComposite())
   {
+    if (sampling.HasManyValues())
+    {
+      return std::string(FlatBlockComponentTablesGLSL) + FlatBlockComponentValuesGLSL;
+    }
     const bool isMasked = sampling.Mask != MaskKind::None;
     return std::string(isMasked ? FlatBlockMaskGLSL : "") + FlatBlockValuePointGLSL;
   }
@@ -59,7 +66,8 @@ std::string GetClassification(const RaySampling& sampling)
   }
   if (sampling.Components > 1)
   {
-    return std::string(FlatBlockClassifiedPointGLSL) + FlatBlockComponentsGLSL;
+    return std::string(FlatBlockClassifiedPointGLSL) + FlatBlockComponentTablesGLSL +
+           FlatBlockComponentsGLSL;
   }
   if (method == Classification::PreIntegrated)
   {
@@ -70,13 +78,13 @@ std::string GetClassification(const RaySampling& sampling)
                                                          : FlatBlockPostInterpolationGLSL);
 }
 
-const char* GetGathering(const Blending& blending)
+const char* GetGathering(const RaySampling& sampling)
 {
-  switch (blending.Mode)
+  switch (sampling.Blending.Mode)
   {
   case BlendMode::Maximum:
   case BlendMode::Minimum:
-    return FlatBlockExtremesGLSL;
+    return sampling.HasManyValues() ? FlatBlockComponentExtremesGLSL : FlatBlockExtremesGLSL;
   case BlendMode::Average:
   case BlendMode::Additive:
     return FlatBlockSumsGLSL;
@@ -120,7 +128,7 @@ std::string GetDefines(
   }
   define(sampling.HasGradientTable(), "FLATBLOCK_GRADIENT_TABLE");
   define(sampling.HasGradientOpacity, "FLATBLOCK_GRADIENT_OPACITY");
-  define(sampling.Blending.IsExtreme(), "FLATBLOCK_EXTREMES");
+  define(sampling.HasExtremeRanges(), "FLATBLOCK_EXTREMES");
   define(sampling.Blending.Mode == BlendMode::Minimum, "FLATBLOCK_MINIMUM");
   define(sampling.Blending.Mode == BlendMode::Average, "FLATBLOCK_AVERAGE");
   define(sampling.HasCounts(), "FLATBLOCK_COUNTING");
@@ -164,7 +172,7 @@ vtkShaderProgram* ReadyRayCaster(vtkOpenGLRenderWindow* window, const RaySamplin
   const bool isMarched = sampling.Blending.Mode != BlendMode::Slice;
   insert("//FlatBlock::Selection", sampling.IsSelection ? FlatBlockSelectionGLSL : "");
   insert("//FlatBlock::Progress", FlatBlockProgressGLSL);
-  insert("//FlatBlock::Gathering", GetGathering(sampling.Blending));
+  insert("//FlatBlock::Gathering", GetGathering(sampling));
   insert("//FlatBlock::March", isMarched ? FlatBlockMarchGLSL : "");
   return window->GetShaderCache()->ReadyShaderProgram(
     FlatBlockRayCasterVertexGLSL, fragment.c_str(), "");

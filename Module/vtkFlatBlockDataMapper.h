@@ -41,14 +41,14 @@ public:
   /**
    * What is drawn of an array of several components, as with vtkSmartVolumeMapper: Disabled
    * (default): all of them, 2 to 4 that are independent, or 2 or 4 that are not, as
-   * vtkVolumeProperty::IndependentComponents says; an error where there are more, or where blending
-   * is not composite. They are classified after interpolation. Independent ones have functions and
-   * ComponentWeights of their own, and the material of the first. Of others the last one has the
-   * opacity of the first function; two have its colour, too, and four are colours themselves: up to
-   * the largest value of their type where that is of 8 or 16 bit, else from 0 to 1. Levels by
-   * distortion are chosen by the component that opacity comes from, or that has the most weight.
-   * Magnitude: their norm. Component: the one that VectorComponent says, 0 (default) to 8; an error
-   * where the array has fewer.
+   * vtkVolumeProperty::IndependentComponents says; an error where there are more, and for
+   * isosurfaces and slices, or sums of dependent ones. They are classified after interpolation.
+   * Independent ones have functions and ComponentWeights of their own, and the material of the
+   * first. Of others the last one has the opacity of the first function; two have its colour, too,
+   * and four are colours themselves: up to the largest value of their type where that is of 8 or 16
+   * bit, else from 0 to 1. Levels by distortion are chosen by the component that opacity comes
+   * from, or that has the most weight. Magnitude: their norm. Component: the one that
+   * VectorComponent says, 0 (default) to 8; an error where the array has fewer.
    */
   vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
   vtkGetMacro(VectorMode, int);

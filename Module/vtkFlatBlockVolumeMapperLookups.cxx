@@ -10,7 +10,7 @@
 vtkTypeInt64 vtkFlatBlockVolumeMapper::vtkInternals::GetBrickRangeBytes() const
 {
   const bool hasRanges =
-    this->Sampling.Blending.IsExtreme() || !this->GetSource().GetRanges().empty();
+    this->Sampling.HasExtremeRanges() || !this->GetSource().GetRanges().empty();
   return hasRanges ? vtkOpenGLFlatBlockBrickRanges::GetBytes(
                        this->GetSource().GetGrid().GetNumberOfBlocks())
                    : 0;

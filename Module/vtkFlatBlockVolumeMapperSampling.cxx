@@ -56,8 +56,7 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
 {
   vtkInternals& in = *this->Internals;
   flatblock::RaySampling& sampling = in.Sampling;
-  sampling.Blending = flatblock::GetBlending(
-    this, volume->GetProperty(), static_cast<int>(in.Input.Components.Numbers.size()));
+  sampling.Blending = flatblock::GetBlending(this, volume->GetProperty(), in.Input.Components);
   sampling.Method = GetMethod(this->Classification, volume,
     sampling.Blending.IsComposite() && in.IsPlain() &&
       !flatblock::HasTwoDimensions(volume->GetProperty()));

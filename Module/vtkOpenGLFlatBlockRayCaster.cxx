@@ -186,7 +186,7 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   this->SetRays(renderer, program, scene);
   this->SetBlocks(program, scene);
   flatblock::SetClipping(program, scene.Clipping);
-  flatblock::SetBlending(program, scene.Sampling, scene.Clipping, *scene.Tables.front().Table);
+  flatblock::SetBlending(program, scene.Sampling, scene.Clipping, scene.Tables);
   this->TransferTable->Activate(program, scene.Tables);
   if (scene.Sampling.RayStart > 0.0 || scene.Sampling.NeedsGradients())
   {

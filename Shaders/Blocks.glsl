@@ -30,6 +30,15 @@ float valueOf(vec4 texel)
   return texel.r;
 }
 
+Texel firstOf(vec4 values)
+{
+#ifdef FLATBLOCK_COMPONENTS
+  return values;
+#else
+  return values.r;
+#endif
+}
+
 const uint NotResident = 65535u;
 
 #ifdef FLATBLOCK_GRADIENT

@@ -1,32 +1,12 @@
 // Classification of several components, each interpolated by itself. Opacity and colours that depend
 // on gradients, and light, are those of a point.
 
-uniform int in_FirstEntries[FLATBLOCK_COMPONENTS]; // of each one's table
-uniform float in_LastEntries[FLATBLOCK_COMPONENTS];
-uniform vec2 in_TexelsToTables[FLATBLOCK_COMPONENTS];
-#ifdef FLATBLOCK_INDEPENDENT
-uniform float in_Weights[FLATBLOCK_COMPONENTS];
-#elif FLATBLOCK_COMPONENTS == 4
-uniform vec3 in_ColorScale; // of what is a colour itself
-uniform vec3 in_ColorOffset;
-#endif
-
 // Of all components, an axis each.
 #ifdef FLATBLOCK_GRADIENT
 #define Gradients Differences
 #else
 #define Gradients vec4
 #endif
-
-vec4 matterOf(int component, float texel)
-{
-  float last = in_LastEntries[component];
-  float position = clamp(texel * in_TexelsToTables[component].x + in_TexelsToTables[component].y, 0.0,
-    last);
-  float interval = min(floor(position), last - 1.0);
-  int entry = in_FirstEntries[component] + int(interval);
-  return mix(entryOfTable(entry), entryOfTable(entry + 1), position - interval);
-}
 
 // What the gradient of a component does to its matter.
 vec4 modulated(vec4 matter, int component, Gradients gradients, vec3 position)
@@ -66,17 +46,10 @@ vec4 matterOfAll(vec4 texels, Gradients gradients, vec3 position)
   return squares > 0.0 ? vec4(light * (total / squares), squares / total) : vec4(0.0);
 }
 #else
-// The last component is opacity, what is before it is colour. As with vtkGPUVolumeRayCastMapper
-// gradients are those of the first one.
+// As with vtkGPUVolumeRayCastMapper gradients are those of the first component.
 vec4 matterOfAll(vec4 texels, Gradients gradients, vec3 position)
 {
-  const int Last = FLATBLOCK_COMPONENTS - 1;
-#if FLATBLOCK_COMPONENTS == 4
-  vec3 color = clamp(texels.rgb * in_ColorScale + in_ColorOffset, 0.0, 1.0);
-#else
-  vec3 color = matterOf(0, texels[0]).rgb;
-#endif
-  return modulated(vec4(color, matterOf(Last, texels[Last]).a), 0, gradients, position);
+  return modulated(matterOfDependent(texels), 0, gradients, position);
 }
 #endif
 

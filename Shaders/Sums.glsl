@@ -1,21 +1,48 @@
-// Values along a ray, weighted by their opacity: their mean, or their integral.
+// Values along a ray, weighted by their opacity: their mean, or their integral. Of several components
+// these add up by their weights.
 
 #ifdef FLATBLOCK_AVERAGE
-uniform vec2 in_AverageRange; // what lies beyond does not count
+uniform vec2 in_AverageRanges[TexelComponents]; // over all values; what lies beyond does not count
 #else
 uniform float in_OpacityUnits; // lengths that opacity is meant over, in a smallest spacing
 #endif
 
 struct Gathered
 {
-  float sum;
-  float length; // that it was taken over
-  vec2 front;   // what a length adds to both
+  Texel sum;
+  Texel length;      // that it was taken over
+  Texel frontShare;  // what a length adds to both
+  Texel frontCounts;
 };
 
 Gathered nothingGathered()
 {
-  return Gathered(0.0, 0.0, vec2(0.0));
+  return Gathered(Texel(0.0), Texel(0.0), Texel(0.0), Texel(0.0));
+}
+
+#ifdef FLATBLOCK_INDEPENDENT
+const int SummedComponents = FLATBLOCK_COMPONENTS;
+#else
+const int SummedComponents = 1;
+#endif
+
+float weighted(vec4 values)
+{
+#ifdef FLATBLOCK_INDEPENDENT
+  float sum = 0.0;
+  for (int i = 0; i < FLATBLOCK_COMPONENTS; ++i)
+  {
+    sum += in_Weights[i] * values[i];
+  }
+  return sum;
+#else
+  return values.x;
+#endif
+}
+
+float weighted(float value)
+{
+  return value;
 }
 
 void beginPart(inout Gathered gathered) {}
@@ -25,9 +52,9 @@ void gatherMatter(inout Gathered gathered, Progress progress, vec3 position, flo
 bool hasAny(Gathered gathered)
 {
 #ifdef FLATBLOCK_AVERAGE
-  return gathered.length > 0.0;
+  return weighted(gathered.length) > 0.0;
 #else
-  return gathered.sum > 0.0;
+  return weighted(gathered.sum) > 0.0;
 #endif
 }
 
@@ -40,10 +67,10 @@ vec4 colorOf(Gathered gathered)
   }
 #endif
 #ifdef FLATBLOCK_AVERAGE
-  float gray = gathered.sum / max(gathered.length, 1e-30);
-  return gathered.length > 0.0 ? vec4(vec3(clamp(gray, 0.0, 1.0)), 1.0) : vec4(0.0);
+  float gray = weighted(gathered.sum / max(gathered.length, Texel(1e-30)));
+  return hasAny(gathered) ? vec4(vec3(clamp(gray, 0.0, 1.0)), 1.0) : vec4(0.0);
 #else
-  return vec4(vec3(clamp(gathered.sum * in_OpacityUnits, 0.0, 1.0)), 1.0);
+  return vec4(vec3(clamp(weighted(gathered.sum) * in_OpacityUnits, 0.0, 1.0)), 1.0);
 #endif
 }
 
@@ -57,19 +84,36 @@ bool canChange(Gathered gathered, Brick brick)
   return true;
 }
 
-bool counts(Point point)
+bool counts(float value, int component)
 {
 #ifdef FLATBLOCK_AVERAGE
-  return hasValue(point) && point.value >= in_AverageRange.x && point.value <= in_AverageRange.y;
+  return value >= in_AverageRanges[component].x && value <= in_AverageRanges[component].y;
 #else
-  return hasValue(point);
+  return true;
 #endif
 }
 
-vec2 shareOf(Point point)
+void weighPoint(Point point, out Texel share, out Texel counted)
 {
-  float share = surfaceOf(point.value).a * point.value / in_LastEntry;
-  return counts(point) ? vec2(share, 1.0) : vec2(0.0);
+  vec4 shares = vec4(0.0);
+  vec4 numbers = vec4(0.0);
+  for (int i = 0; i < SummedComponents; ++i)
+  {
+    float value = shareOfRange(point, i);
+    if (hasValue(point) && counts(value, i))
+    {
+      shares[i] = opacityAt(point, i) * value;
+      numbers[i] = 1.0;
+    }
+  }
+  share = firstOf(shares);
+  counted = firstOf(numbers);
+}
+
+void findFirst(inout Gathered gathered, inout Progress progress, Ray ray, vec3 origin)
+{
+  findFront(progress, ray, origin);
+  weighPoint(progress.front, gathered.frontShare, gathered.frontCounts);
 }
 
 void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 origin, Brick brick,
@@ -77,8 +121,7 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
 {
   while (mustBeFound(progress, stretch))
   {
-    findFront(progress, ray, origin);
-    gathered.front = shareOf(progress.front);
+    findFirst(gathered, progress, ray, origin);
   }
   // A point stands for half of the pieces that meet in it.
   while (goesOn(progress, stretch))
@@ -86,15 +129,18 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
     float target = min(progress.next, stretch.exit);
     float length = 0.5 * (target - progress.at) * ray.unit * in_StepLength;
     moveTo(progress, pointAt(brick, origin + target * ray.direction), target, brick);
-    vec2 back = shareOf(progress.front);
+    Texel share;
+    Texel counted;
+    weighPoint(progress.front, share, counted);
     bool isFirst = !hasAny(gathered);
-    gathered.sum += length * (gathered.front.x + back.x);
-    gathered.length += length * (gathered.front.y + back.y);
+    gathered.sum += length * (gathered.frontShare + share);
+    gathered.length += length * (gathered.frontCounts + counted);
     if (isFirst && hasAny(gathered))
     {
       see(origin + target * ray.direction);
     }
-    gathered.front = back;
+    gathered.frontShare = share;
+    gathered.frontCounts = counted;
     countSample(progress);
   }
 }

@@ -45,3 +45,14 @@ vec4 surfaceOf(float value)
 {
   return layerOf(matterAtPosition(value), 1.0);
 }
+
+// Over the whole range, from 0 to 1.
+float shareOfRange(Point point, int component)
+{
+  return point.value / in_LastEntry;
+}
+
+float opacityAt(Point point, int component)
+{
+  return surfaceOf(point.value).a;
+}

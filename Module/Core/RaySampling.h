@@ -69,7 +69,16 @@ struct RaySampling
   int GetApron() const { return this->NeedsGradients() ? 1 : 0; }
 
   /// Whether rays ask for the values that a block has.
-  bool UsesRanges() const { return this->HasBrickRanges || this->Blending.IsExtreme(); }
+  bool UsesRanges() const { return this->HasBrickRanges || this->HasExtremeRanges(); }
+
+  /// Whether all components are values, and not a mask or rows of a function.
+  bool HasManyValues() const
+  {
+    return this->Components > 1 && this->Mask == MaskKind::None && !this->HasSecondArray;
+  }
+
+  /// Whether the ranges of blocks tell where an extreme may lie.
+  bool HasExtremeRanges() const { return this->Blending.IsExtreme() && !this->HasManyValues(); }
 
   double GetPixelsOfImage() const
   {

@@ -20,9 +20,6 @@ std::vector<PeerScene> GetPeerScenes()
 std::vector<LeftOutScene> GetLeftOutScenes()
 {
   return {
-    { "FourComponentsAdditive, FourComponentsAverage, FourComponentsMIP, FourComponentsMinIP, "
-      "ThreeComponentsAdditive",
-      "several components are drawn by composite blending only; an error says so" },
     { "MapperRectilinearGrid", "an error names vtkResampleToImage" },
     { "MultiVolume*", "volumes that overlap are drawn one after the other; vtkMultiVolume takes "
                       "vtkGPUVolumeRayCastMapper only" },

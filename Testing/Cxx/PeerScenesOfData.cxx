@@ -180,6 +180,41 @@ std::vector<PeerScene> GetPeerScenesOfData()
         Both(s, [](auto* m) { m->SetBlendModeToMaximumIntensity(); });
       },
       "" },
+    { "FourComponentsMIP", 34.0, 0.96,
+      [](Scene& s)
+      {
+        SetComponents(s, 4, true, false);
+        Both(s, [](auto* m) { m->SetBlendMode(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND); });
+      },
+      "" },
+    { "FourComponentsMinIP", 34.0, 0.96,
+      [](Scene& s)
+      {
+        SetComponents(s, 4, true, false);
+        Both(s, [](auto* m) { m->SetBlendMode(vtkVolumeMapper::MINIMUM_INTENSITY_BLEND); });
+      },
+      "" },
+    { "FourComponentsAverage", 34.0, 0.96,
+      [](Scene& s)
+      {
+        SetComponents(s, 4, true, false);
+        Both(s, [](auto* m) { m->SetBlendMode(vtkVolumeMapper::AVERAGE_INTENSITY_BLEND); });
+      },
+      "" },
+    { "FourComponentsAdditive", 34.0, 0.96,
+      [](Scene& s)
+      {
+        SetComponents(s, 4, true, false);
+        Both(s, [](auto* m) { m->SetBlendMode(vtkVolumeMapper::ADDITIVE_BLEND); });
+      },
+      "" },
+    { "ThreeComponentsAdditive", 34.0, 0.96,
+      [](Scene& s)
+      {
+        SetComponents(s, 3, true, false);
+        Both(s, [](auto* m) { m->SetBlendMode(vtkVolumeMapper::ADDITIVE_BLEND); });
+      },
+      "" },
     { "LabelMap", 42.0, 0.98, [](Scene& s) { SetMask(s, false, 1.0, false); }, "" },
     { "DependentComponentsLightParameters", 44.0, 0.99,
       [](Scene& s) { SetComponents(s, 4, false, true); }, "" },

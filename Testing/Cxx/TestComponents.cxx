@@ -246,7 +246,7 @@ TEST(Components, OfAnotherBlendModeAreAnError)
   Scene scene;
   Show(scene, MakeWaves(2), 2, true);
   const auto good = scene.Draw();
-  scene.Mapper->SetBlendModeToMaximumIntensity();
+  scene.Mapper->SetBlendModeToIsoSurface();
   const Messages messages = Listen([&] { scene.Draw(); });
   ASSERT_EQ(messages.Errors.size(), 1U);
   EXPECT_NE(messages.Errors[0].find("2 components"), std::string::npos);
@@ -263,5 +263,29 @@ TEST(Components, WithoutAnyWeightShowNothing)
   for (const auto& pixel : DrawFloats(scene))
   {
     ASSERT_EQ(pixel[3], 0.0);
+  }
+}
+
+// Of two that are the same, each with half of the weight, what one of them gives.
+TEST(Components, HaveTheExtremesAndSumsOfEach)
+{
+  for (const int mode :
+    { vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, vtkVolumeMapper::MINIMUM_INTENSITY_BLEND,
+      vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, vtkVolumeMapper::ADDITIVE_BLEND })
+  {
+    Scene scene;
+    Show(scene, MakeWave(0), 1, true);
+    scene.Mapper->SetBlendMode(mode);
+    scene.Mapper->SetAverageIPScalarRange(60.0, 220.0);
+    const Picture one = DrawFloats(scene);
+    const auto image = MakeWaves(2);
+    image->GetPointData()->GetScalars()->CopyComponent(
+      1, MakeWave(0)->GetPointData()->GetScalars(), 0);
+    scene.Property->SetScalarOpacity(1, scene.Property->GetScalarOpacity(0));
+    scene.Property->SetColor(1, scene.Property->GetRGBTransferFunction(0));
+    scene.Property->SetComponentWeight(0, 0.5);
+    scene.Property->SetComponentWeight(1, 0.5);
+    scene.Mapper->SetInputData(image);
+    EXPECT_LE(LargestDifference(DrawFloats(scene), one), 1e-4) << mode;
   }
 }
