@@ -20,6 +20,7 @@ std::vector<PeerScene> GetPeerScenes()
 std::vector<LeftOutScene> GetLeftOutScenes()
 {
   return {
+    { "FourComponentsMinIP", "the peer draws the largest values of several components" },
     { "MapperRectilinearGrid", "an error names vtkResampleToImage" },
     { "MultiVolume*", "volumes that overlap are drawn one after the other; vtkMultiVolume takes "
                       "vtkGPUVolumeRayCastMapper only" },

@@ -187,13 +187,6 @@ std::vector<PeerScene> GetPeerScenesOfData()
         Both(s, [](auto* m) { m->SetBlendMode(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND); });
       },
       "" },
-    { "FourComponentsMinIP", 34.0, 0.96,
-      [](Scene& s)
-      {
-        SetComponents(s, 4, true, false);
-        Both(s, [](auto* m) { m->SetBlendMode(vtkVolumeMapper::MINIMUM_INTENSITY_BLEND); });
-      },
-      "" },
     { "FourComponentsAverage", 34.0, 0.96,
       [](Scene& s)
       {
