@@ -56,16 +56,15 @@ void CheckSlice(vtkVolumeProperty* property)
 // Of dependent ones there is no value to add up, and of several none that a surface has.
 void CheckComponents(const Components& components, const Blending& blending)
 {
-  const bool isDrawn = blending.IsComposite() || blending.IsExtreme() ||
-                       (components.AreIndependent && blending.Mode != BlendMode::Isosurface &&
-                         blending.Mode != BlendMode::Slice);
-  if (components.Numbers.size() > 1 && !isDrawn)
+  const bool isSurface =
+    blending.Mode == BlendMode::Isosurface || blending.Mode == BlendMode::Slice;
+  const bool isSum = blending.Mode == BlendMode::Average || blending.Mode == BlendMode::Additive;
+  if (components.Numbers.size() > 1 && (isSurface || (isSum && !components.AreIndependent)))
   {
     throw std::runtime_error(
-      "Of " + std::to_string(components.Numbers.size()) + " components " +
-      (components.AreIndependent ? "isosurfaces and slices" : "only composites and extremes") +
-      (components.AreIndependent ? " cannot be drawn." : " can be drawn.") +
-      " SetVectorMode() takes one of them, or their magnitude.");
+      std::string(isSurface ? "Isosurfaces and slices" : "Sums of dependent components") + " of " +
+      std::to_string(components.Numbers.size()) +
+      " components cannot be drawn. SetVectorMode() takes one of them, or their magnitude.");
   }
 }
 

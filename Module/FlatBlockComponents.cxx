@@ -22,6 +22,7 @@ void SetColors(vtkShaderProgram* program, const ComponentTables& tables)
   program->SetUniform3f("in_ColorScale", scale);
   program->SetUniform3f("in_ColorOffset", offset);
 }
+
 void SetEach(vtkShaderProgram* program, const RaySampling& sampling, const ComponentTables& tables)
 {
   constexpr int Most = 4;

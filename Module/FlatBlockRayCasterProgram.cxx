@@ -10,7 +10,6 @@
 #include "FlatBlockBlocksGLSL.h"
 #include "FlatBlockClassifiedPointGLSL.h"
 #include "FlatBlockClippingGLSL.h"
-#include "FlatBlockComponentExtremesGLSL.h"
 #include "FlatBlockComponentTablesGLSL.h"
 #include "FlatBlockComponentValuesGLSL.h"
 #include "FlatBlockComponentsGLSL.h"
@@ -84,7 +83,7 @@ const char* GetGathering(const RaySampling& sampling)
   {
   case BlendMode::Maximum:
   case BlendMode::Minimum:
-    return sampling.HasManyValues() ? FlatBlockComponentExtremesGLSL : FlatBlockExtremesGLSL;
+    return FlatBlockExtremesGLSL;
   case BlendMode::Average:
   case BlendMode::Additive:
     return FlatBlockSumsGLSL;
@@ -128,6 +127,7 @@ std::string GetDefines(
   }
   define(sampling.HasGradientTable(), "FLATBLOCK_GRADIENT_TABLE");
   define(sampling.HasGradientOpacity, "FLATBLOCK_GRADIENT_OPACITY");
+  define(sampling.HasManyValues(), "FLATBLOCK_MANY_VALUES");
   define(sampling.HasExtremeRanges(), "FLATBLOCK_EXTREMES");
   define(sampling.Blending.Mode == BlendMode::Minimum, "FLATBLOCK_MINIMUM");
   define(sampling.Blending.Mode == BlendMode::Average, "FLATBLOCK_AVERAGE");

@@ -125,6 +125,25 @@ Array Surround(const Array& values, const flatblock::Index3& cells)
   return padded;
 }
 
+flatblock::Index3 CountSamples(const flatblock::VolumeInput& input)
+{
+  flatblock::Index3 samples;
+  input.Image->GetDimensions(samples.data());
+  for (int& axis : samples)
+  {
+    axis += input.IsCellData ? 1 : 0; // one cell less than points, and two more around
+  }
+  return samples;
+}
+
+// Values of points as they are, those of cells with others around.
+Array ToSamples(const Array& values, const flatblock::VolumeInput& input)
+{
+  const flatblock::Index3 samples = CountSamples(input);
+  return input.IsCellData ? Surround(values, { samples[0] - 2, samples[1] - 2, samples[2] - 2 })
+                          : values;
+}
+
 Array NumberLabels(const Array& mask, const std::vector<int>& labels, bool hasLabels)
 {
   auto numbers = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -152,15 +171,8 @@ void vtkFlatBlockScalars::UpdateMask(
   {
     return;
   }
-  this->Values = NumberLabels(UnpackBits(mask), labels, input.HasLabels);
-  input.Image->GetDimensions(this->Samples.data());
-  if (input.IsCellData)
-  {
-    const flatblock::Index3 cells = { this->Samples[0] - 1, this->Samples[1] - 1,
-      this->Samples[2] - 1 };
-    this->Values = Surround(this->Values, cells);
-    this->Samples = { cells[0] + 2, cells[1] + 2, cells[2] + 2 };
-  }
+  this->Values = ToSamples(NumberLabels(UnpackBits(mask), labels, input.HasLabels), input);
+  this->Samples = CountSamples(input);
   this->BuiltSamples = samples;
   this->BuiltImageTime = time;
   this->BuiltLabels = labels;
@@ -181,23 +193,17 @@ void vtkFlatBlockScalars::Update(
   this->Blanked = 0;
   Array values = TakeComponent(UnpackBits(array), component);
   vtkImageData* image = input.Image;
-  image->GetDimensions(this->Samples.data());
   const bool hidesPoints = HasAny(image->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT);
   const bool hidesCells = HasAny(image->GetCellGhostArray(), vtkDataSetAttributes::HIDDENCELL);
   this->IgnoredBlanks = !input.IsCellData && hidesCells;
-  Array ghosts = input.IsCellData ? image->GetCellGhostArray() : image->GetPointGhostArray();
-  if (input.IsCellData)
-  {
-    const flatblock::Index3 cells = { this->Samples[0] - 1, this->Samples[1] - 1,
-      this->Samples[2] - 1 };
-    values = Surround(values, cells);
-    ghosts = hidesCells ? Surround(ghosts, cells) : nullptr;
-    this->Samples = { cells[0] + 2, cells[1] + 2, cells[2] + 2 };
-  }
+  this->Samples = CountSamples(input);
+  values = ToSamples(values, input);
   if (input.IsCellData ? hidesCells : hidesPoints)
   {
     const int hidden = input.IsCellData ? int(vtkDataSetAttributes::HIDDENCELL)
                                         : int(vtkDataSetAttributes::HIDDENPOINT);
+    const Array ghosts =
+      ToSamples(input.IsCellData ? image->GetCellGhostArray() : image->GetPointGhostArray(), input);
     values = Blank(values, vtkUnsignedCharArray::SafeDownCast(ghosts), hidden, this->Blanked);
   }
   this->Values = values;

@@ -49,10 +49,9 @@ void vtkFlatBlockVolumeMapper::vtkInternals::SetLabels(vtkVolumeProperty* proper
   }
 }
 
-// All tables have as many entries.
+// After UpdateMask(), which finds the labels. All tables have as many entries.
 void vtkFlatBlockVolumeMapper::vtkInternals::UpdateLabelFunctions()
 {
-  this->SetLabels(this->Property);
   const flatblock::ValueRange& range = this->Builder->GetRange();
   int entries = vtkFlatBlockTransferFunction::CountEntries(this->Property, 0, range);
   for (const auto& label : this->Mask->Labels)
