@@ -26,6 +26,7 @@ struct Lights
   int Count = 0;
   Vectors Direction = {};
   float Ambient[3] = {};
+  float ScatteredAmbient[3] = {};
   Vectors Diffuse = {};
   Vectors Specular = {};
   float Position[MostLights][4] = {};
@@ -33,7 +34,7 @@ struct Lights
   float Cone[MostLights][2] = {};
 };
 
-void Append(vtkLight* light, vtkVolumeProperty* material, Lights& lights)
+void Append(vtkLight* light, Lights& lights)
 {
   const int i = lights.Count++;
   double direction[3] = { 0.0, 0.0, 0.0 };
@@ -48,13 +49,10 @@ void Append(vtkLight* light, vtkVolumeProperty* material, Lights& lights)
   for (int axis = 0; axis < 3; ++axis)
   {
     const double intensity = light->GetIntensity();
-    lights.Ambient[axis] +=
-      static_cast<float>(material->GetAmbient() * intensity * light->GetAmbientColor()[axis]);
+    lights.Ambient[axis] += static_cast<float>(intensity * light->GetAmbientColor()[axis]);
     lights.Direction[i][axis] = static_cast<float>(direction[axis]);
-    lights.Diffuse[i][axis] =
-      static_cast<float>(material->GetDiffuse() * intensity * light->GetDiffuseColor()[axis]);
-    lights.Specular[i][axis] =
-      static_cast<float>(material->GetSpecular() * intensity * light->GetSpecularColor()[axis]);
+    lights.Diffuse[i][axis] = static_cast<float>(intensity * light->GetDiffuseColor()[axis]);
+    lights.Specular[i][axis] = static_cast<float>(intensity * light->GetSpecularColor()[axis]);
   }
 }
 
@@ -83,7 +81,7 @@ void SetPlace(vtkLight* light, const double origin[3], int i, Lights& lights)
 }
 
 // @param origin  the first sample in world coordinates
-Lights GetLights(vtkRenderer* renderer, vtkVolumeProperty* material, const double origin[3])
+Lights GetLights(vtkRenderer* renderer, const double origin[3])
 {
   Lights lights;
   vtkLightCollection* all = renderer->GetLights();
@@ -93,16 +91,17 @@ Lights GetLights(vtkRenderer* renderer, vtkVolumeProperty* material, const doubl
   {
     if (light->GetSwitch() != 0 && lights.Count < MostLights)
     {
-      Append(light, material, lights);
+      Append(light, lights);
       if (IsPositional(light))
       {
         SetPlace(light, origin, lights.Count - 1, lights);
       }
     }
   }
+  std::copy_n(lights.Ambient, 3, lights.ScatteredAmbient);
   if (lights.Count == 1 && std::equal(lights.Direction[0], lights.Direction[0] + 3, NoDirection))
   {
-    std::fill_n(lights.Ambient, 3, static_cast<float>(material->GetAmbient()));
+    std::fill_n(lights.Ambient, 3, 1.0F);
   }
   return lights;
 }
@@ -120,6 +119,19 @@ void SetGradientToWorld(vtkShaderProgram* program, vtkMatrix4x4* sampleToWorld)
     largest = std::max(largest, std::abs(normals->GetElement(i / 3, i % 3)));
   }
   SetDirections(program, "in_GradientToWorld", normals, largest);
+}
+void SetMaterials(vtkShaderProgram* program, vtkVolumeProperty* property)
+{
+  float materials[VTK_MAX_VRCOMP][4];
+  for (int i = 0; i < VTK_MAX_VRCOMP; ++i)
+  {
+    const int component = property->GetIndependentComponents() ? i : 0;
+    materials[i][0] = static_cast<float>(property->GetAmbient(component));
+    materials[i][1] = static_cast<float>(property->GetDiffuse(component));
+    materials[i][2] = static_cast<float>(property->GetSpecular(component));
+    materials[i][3] = static_cast<float>(property->GetSpecularPower(component));
+  }
+  program->SetUniform4fv("in_Materials", VTK_MAX_VRCOMP, materials);
 }
 } // namespace
 
@@ -142,12 +154,7 @@ void SetGradientScale(
   vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, const ComponentTables& tables)
 {
   constexpr double ShareOfRange = 0.25;
-  double spacing[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    spacing[axis] = std::hypot(sampleToDataSet->GetElement(0, axis),
-      sampleToDataSet->GetElement(1, axis), sampleToDataSet->GetElement(2, axis));
-  }
+  const std::array<double, 3> spacing = GetSpacing(sampleToDataSet);
   const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
   float scale[3];
   for (int axis = 0; axis < 3; ++axis)
@@ -165,13 +172,13 @@ void SetGradientScale(
   program->SetUniform1fv("in_GradientUnits", static_cast<int>(units.size()), units.data());
 }
 
-void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProperty* material,
+void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProperty* property,
   vtkMatrix4x4* sampleToWorld)
 {
   SetGradientToWorld(program, sampleToWorld);
   const double origin[3] = { sampleToWorld->GetElement(0, 3), sampleToWorld->GetElement(1, 3),
     sampleToWorld->GetElement(2, 3) };
-  const Lights lights = GetLights(renderer, material, origin);
+  const Lights lights = GetLights(renderer, origin);
   program->SetUniformi("in_Lights", lights.Count);
   program->SetUniform3fv("in_LightDirection", MostLights, lights.Direction);
   if (HasPositionalLights(renderer))
@@ -183,7 +190,8 @@ void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProp
   program->SetUniform3fv("in_LightDiffuse", MostLights, lights.Diffuse);
   program->SetUniform3fv("in_LightSpecular", MostLights, lights.Specular);
   program->SetUniform3f("in_Ambient", lights.Ambient);
-  program->SetUniformf("in_SpecularPower", static_cast<float>(material->GetSpecularPower()));
+  program->SetUniform3f("in_ScatteredAmbient", lights.ScatteredAmbient);
+  SetMaterials(program, property);
   program->SetUniformi("in_TwoSidedLighting", renderer->GetTwoSidedLighting());
 }
 } // namespace flatblock

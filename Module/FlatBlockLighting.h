@@ -1,4 +1,4 @@
-/// The lights of a renderer on the material of a volume: the uniforms of Shading.glsl.
+/// The lights of a renderer on the materials of a volume: the uniforms of Shading.glsl.
 #pragma once
 
 #include "ComponentTable.h"
@@ -13,7 +13,7 @@ namespace flatblock
 /// At most six lights that are switched on, as vtkGPUVolumeRayCastMapper has them: headlights,
 /// lights far away, and positional ones with attenuation and cone. Ambient light is that of the
 /// lights, but a headlight alone is taken to have a white one, whatever it says.
-void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProperty* material,
+void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProperty* property,
   vtkMatrix4x4* sampleToWorld);
 
 /// Whether a light that is switched on has a position.

@@ -28,6 +28,7 @@
 #include "FlatBlockRayCasterFragmentGLSL.h"
 #include "FlatBlockRayCasterVertexGLSL.h"
 #include "FlatBlockRayGLSL.h"
+#include "FlatBlockScatteringGLSL.h"
 #include "FlatBlockSelectionGLSL.h"
 #include "FlatBlockShadingGLSL.h"
 #include "FlatBlockSliceGLSL.h"
@@ -110,6 +111,7 @@ std::string GetDefines(
   define(sampling.RefinesImage, "FLATBLOCK_ADAPTIVE_IMAGE");
   define(sampling.IsShaded, "FLATBLOCK_SHADING");
   define(sampling.HasNormalsFromOpacity, "FLATBLOCK_NORMAL_FROM_OPACITY");
+  define(sampling.HasScattering(), "FLATBLOCK_SCATTERING");
   define(sampling.HasPositionalLights, "FLATBLOCK_POSITIONAL_LIGHTS");
   define(sampling.NeedsGradients(), "FLATBLOCK_GRADIENT");
   define(sampling.Mask != MaskKind::None, "FLATBLOCK_MASK");
@@ -168,6 +170,7 @@ vtkShaderProgram* ReadyRayCaster(vtkOpenGLRenderWindow* window, const RaySamplin
   insert("//FlatBlock::TransferTable", FlatBlockTransferTableGLSL);
   insert("//FlatBlock::Gradient", sampling.NeedsGradients() ? FlatBlockGradientGLSL : "");
   insert("//FlatBlock::Classification", GetClassification(sampling));
+  insert("//FlatBlock::Scattering", sampling.HasScattering() ? FlatBlockScatteringGLSL : "");
   insert("//FlatBlock::Shading", sampling.IsShaded ? FlatBlockShadingGLSL : "");
   const bool isMarched = sampling.Blending.Mode != BlendMode::Slice;
   insert("//FlatBlock::Selection", sampling.IsSelection ? FlatBlockSelectionGLSL : "");

@@ -87,6 +87,17 @@ void SetPlanes(
 } // namespace
 
 // VTK's key matrices are transposed; from here on they are not.
+std::array<double, 3> GetSpacing(vtkMatrix4x4* matrix)
+{
+  std::array<double, 3> spacing;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing[axis] = std::hypot(
+      matrix->GetElement(0, axis), matrix->GetElement(1, axis), matrix->GetElement(2, axis));
+  }
+  return spacing;
+}
+
 void GetSampleToClip(vtkRenderer* renderer, vtkMatrix4x4* sampleToWorld, vtkMatrix4x4* sampleToClip)
 {
   vtkMatrix4x4* view;

@@ -3,6 +3,8 @@
 
 #include "BlockGrid.h"
 
+#include <array>
+
 class vtkMatrix4x4;
 class vtkRenderer;
 class vtkShaderProgram;
@@ -16,6 +18,9 @@ struct RayGeometry
   vtkMatrix4x4* SampleToClip;
   double Step; ///< between two points of a ray, in the data set's unit of length
 };
+
+/// Of samples, in the space that a matrix leads to.
+std::array<double, 3> GetSpacing(vtkMatrix4x4* matrix);
 
 /// With the projection of the renderer's camera.
 void GetSampleToClip(

@@ -188,6 +188,14 @@ void SetMask(vtkFlatBlockDataMapper& mapper, vtkVolumeProperty* property, Volume
   {
     Refuse("A mask is drawn with 1D transfer functions only.");
   }
+  for (const int label : property->GetLabelMapLabels())
+  {
+    if (input.HasLabels && property->GetLabelGradientOpacity(label))
+    {
+      Refuse("Labels of a mask are drawn with the volume's gradient opacity, and label ", label,
+        " has one of its own.");
+    }
+  }
 }
 
 void SetGeometry(VolumeInput& input)

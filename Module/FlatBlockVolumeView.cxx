@@ -1,5 +1,6 @@
 #include "FlatBlockVolumeView.h"
 
+#include "FlatBlockRayGeometry.h"
 #include "FlatBlockVolumeInput.h"
 
 #include "vtkCamera.h"
@@ -79,17 +80,6 @@ void AddFacesOfCells(vtkImageData* image, Planes& planes)
     plane[3] = points[axis] - 0.5;
     planes.push_back(plane);
   }
-}
-
-std::array<double, 3> GetSpacing(vtkMatrix4x4* matrix)
-{
-  std::array<double, 3> spacing;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    spacing[axis] = std::hypot(
-      matrix->GetElement(0, axis), matrix->GetElement(1, axis), matrix->GetElement(2, axis));
-  }
-  return spacing;
 }
 
 // A point where w is 1, a direction where it is 0.

@@ -43,12 +43,12 @@ public:
    * (default): all of them, 2 to 4 that are independent, or 2 or 4 that are not, as
    * vtkVolumeProperty::IndependentComponents says; an error where there are more, and for
    * isosurfaces and slices, or sums of dependent ones. They are classified after interpolation.
-   * Independent ones have functions and ComponentWeights of their own, and the material of the
-   * first. Of others the last one has the opacity of the first function; two have its colour, too,
-   * and four are colours themselves: up to the largest value of their type where that is of 8 or 16
-   * bit, else from 0 to 1. Levels by distortion are chosen by the component that opacity comes
-   * from, or that has the most weight. Magnitude: their norm. Component: the one that
-   * VectorComponent says, 0 (default) to 8; an error where the array has fewer.
+   * Independent ones have functions, ComponentWeights and materials of their own. Of others the
+   * last one has the opacity of the first function; two have its colour, too, and four are colours
+   * themselves: up to the largest value of their type where that is of 8 or 16 bit, else from 0
+   * to 1. Levels by distortion are chosen by the component that opacity comes from, or that has the
+   * most weight. Magnitude: their norm. Component: the one that VectorComponent says, 0 (default)
+   * to 8; an error where the array has fewer.
    */
   vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
   vtkGetMacro(VectorMode, int);
@@ -79,7 +79,8 @@ public:
    * default. Its nearest value counts. Binary: where it is 0, nothing is drawn. LabelMap (default):
    * numbers of functions in vtkVolumeProperty::SetLabelColor() and SetLabelScalarOpacity(), up to
    * 255 of them; what has none of either, or is 0, has the default ones. An error with several
-   * components or 2D functions; labels are drawn by composite blending only.
+   * components, 2D functions or gradient opacities of labels; labels are drawn by composite blending
+   * only.
    */
   virtual void SetMaskInput(vtkImageData* mask);
   vtkImageData* GetMaskInput() const { return this->MaskInput; }

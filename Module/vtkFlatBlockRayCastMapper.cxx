@@ -23,9 +23,6 @@ void vtkFlatBlockRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
   const char* const classifications[] = { "PreIntegrated", "PostInterpolation",
     "PreInterpolation" };
   os << indent << "Classification: " << classifications[this->Classification] << "\n";
-#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
-  os << indent << "ComputeNormalFromOpacity: " << this->ComputeNormalFromOpacity << "\n";
-#endif
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
   os << indent << "LockSampleDistanceToInputSpacing: " << this->LockSampleDistanceToInputSpacing
@@ -49,5 +46,4 @@ void vtkFlatBlockRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VariationTolerance: " << this->VariationTolerance << "\n";
   os << indent << "Profiling: " << this->Profiling << "\n";
   os << indent << "CountSamples: " << this->CountSamples << "\n";
-  os << indent << "ShadingOpacityThreshold: " << this->ShadingOpacityThreshold << "\n";
 }

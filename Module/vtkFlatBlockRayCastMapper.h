@@ -28,26 +28,14 @@
 #ifndef vtkFlatBlockRayCastMapper_h
 #define vtkFlatBlockRayCastMapper_h
 
-#include "vtkFlatBlockDataMapper.h"
-#include "vtkVersionMacros.h" // for what this VTK has
+#include "vtkFlatBlockShadingMapper.h"
 
-class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockRayCastMapper : public vtkFlatBlockDataMapper
+class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockRayCastMapper
+  : public vtkFlatBlockShadingMapper
 {
 public:
-  vtkTypeMacro(vtkFlatBlockRayCastMapper, vtkFlatBlockDataMapper);
+  vtkTypeMacro(vtkFlatBlockRayCastMapper, vtkFlatBlockShadingMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
-  ///@{
-  /**
-   * Whether light falls on surfaces of the same opacity, and not of the same value: in a composite
-   * of one component. Default: off. From VTK 9.2 on, vtkVolumeMapper has this.
-   */
-  vtkSetMacro(ComputeNormalFromOpacity, bool);
-  vtkGetMacro(ComputeNormalFromOpacity, bool);
-  vtkBooleanMacro(ComputeNormalFromOpacity, bool);
-  ///@}
-#endif
 
   enum Classifications
   {
@@ -68,18 +56,9 @@ public:
    */
   vtkSetClampMacro(Classification, int, PRE_INTEGRATED, PRE_INTERPOLATION);
   vtkGetMacro(Classification, int);
-  void SetClassificationToPreIntegrated()
-  {
-    this->SetClassification(PRE_INTEGRATED);
-  }
-  void SetClassificationToPostInterpolation()
-  {
-    this->SetClassification(POST_INTERPOLATION);
-  }
-  void SetClassificationToPreInterpolation()
-  {
-    this->SetClassification(PRE_INTERPOLATION);
-  }
+  void SetClassificationToPreIntegrated() { this->SetClassification(PRE_INTEGRATED); }
+  void SetClassificationToPostInterpolation() { this->SetClassification(POST_INTERPOLATION); }
+  void SetClassificationToPreInterpolation() { this->SetClassification(PRE_INTERPOLATION); }
   ///@}
 
   ///@{
@@ -249,18 +228,9 @@ public:
    */
   vtkSetClampMacro(Skipping, int, SKIP_NOTHING, SKIP_CELLS);
   vtkGetMacro(Skipping, int);
-  void SetSkippingToNothing()
-  {
-    this->SetSkipping(SKIP_NOTHING);
-  }
-  void SetSkippingToBlocks()
-  {
-    this->SetSkipping(SKIP_BLOCKS);
-  }
-  void SetSkippingToCells()
-  {
-    this->SetSkipping(SKIP_CELLS);
-  }
+  void SetSkippingToNothing() { this->SetSkipping(SKIP_NOTHING); }
+  void SetSkippingToBlocks() { this->SetSkipping(SKIP_BLOCKS); }
+  void SetSkippingToCells() { this->SetSkipping(SKIP_CELLS); }
   ///@}
 
   ///@{
@@ -292,22 +262,10 @@ public:
    */
   void SetAtlasPrecision(int precision);
   vtkGetMacro(AtlasPrecision, int);
-  void SetAtlasPrecisionToNative()
-  {
-    this->SetAtlasPrecision(NATIVE);
-  }
-  void SetAtlasPrecisionTo8Bits()
-  {
-    this->SetAtlasPrecision(BITS_8);
-  }
-  void SetAtlasPrecisionTo4Bits()
-  {
-    this->SetAtlasPrecision(BITS_4);
-  }
-  void SetAtlasPrecisionTo1Bit()
-  {
-    this->SetAtlasPrecision(BITS_1);
-  }
+  void SetAtlasPrecisionToNative() { this->SetAtlasPrecision(NATIVE); }
+  void SetAtlasPrecisionTo8Bits() { this->SetAtlasPrecision(BITS_8); }
+  void SetAtlasPrecisionTo4Bits() { this->SetAtlasPrecision(BITS_4); }
+  void SetAtlasPrecisionTo1Bit() { this->SetAtlasPrecision(BITS_1); }
   ///@}
 
   ///@{
@@ -319,16 +277,6 @@ public:
    */
   vtkSetClampMacro(VariationTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VariationTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Opacity, as far as it is seen, that a piece of a ray must have for its light to be computed
-   * where the property shades, from 0 to 1: below it the light of the piece before is taken.
-   * Default: 0, exact.
-   */
-  vtkSetClampMacro(ShadingOpacityThreshold, double, 0.0, 1.0);
-  vtkGetMacro(ShadingOpacityThreshold, double);
   ///@}
 
   ///@{
@@ -381,16 +329,11 @@ protected:
   bool HomogeneousLeaps = true;
   int AtlasPrecision = NATIVE;
   double VariationTolerance = 0.0;
-  double ShadingOpacityThreshold = 0.0;
   bool Profiling = false;
   bool CountSamples = false;
   double GPUMilliseconds = -1.0;
   double SamplesPerRay = 0.0;
   double FetchesPerRay = 0.0;
-
-#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
-  bool ComputeNormalFromOpacity = false;
-#endif
 
 private:
   vtkFlatBlockRayCastMapper(const vtkFlatBlockRayCastMapper&) = delete;

@@ -91,8 +91,16 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
                               (sampling.Components == 1 || in.HasSecondArray);
   sampling.HasNormalsFromOpacity =
     sampling.IsShaded && this->ComputeNormalFromOpacity && sampling.Blending.IsComposite();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  const bool mayScatter = sampling.IsShaded && sampling.Blending.IsComposite() &&
+                          sampling.Components == 1 && !sampling.IsTwoDimensional;
+  sampling.ScatteringBlending = mayScatter ? this->VolumetricScatteringBlending : 0.0;
+  sampling.ScatteringReach = this->GlobalIlluminationReach;
+  sampling.ScatteringAnisotropy = volume->GetProperty()->GetScatteringAnisotropy();
+#endif
   sampling.HasPositionalLights = sampling.IsShaded && flatblock::HasPositionalLights(renderer);
-  sampling.ShadingThreshold = this->ShadingOpacityThreshold;
+  // The first light is that of surfaces, which says nothing of shadows.
+  sampling.ShadingThreshold = sampling.HasScattering() ? 0.0 : this->ShadingOpacityThreshold;
   sampling.MostSamples = this->MaximumNumberOfSamples;
   sampling.CountsSamples = this->CountSamples;
   sampling.RayStart = this->RayStartOffset;

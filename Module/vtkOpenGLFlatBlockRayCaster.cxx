@@ -7,6 +7,7 @@
 #include "FlatBlockLighting.h"
 #include "FlatBlockRayCasterProgram.h"
 #include "FlatBlockRayGeometry.h"
+#include "FlatBlockScattering.h"
 #include "RaySight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
@@ -199,6 +200,11 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   if (scene.Sampling.Components > 1)
   {
     flatblock::SetComponents(program, scene.Sampling, scene.Tables, scene.Mask);
+  }
+  if (scene.Sampling.HasScattering())
+  {
+    flatblock::SetScattering(
+      program, sampleToWorld, scene.SampleToDataSet, scene.Sampling, scene.Tables);
   }
   if (scene.Sampling.IsShaded)
   {

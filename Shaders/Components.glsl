@@ -19,7 +19,7 @@ vec4 modulated(vec4 matter, int component, Gradients gradients, vec3 position)
   matter.a *= lookUpGradient(across, component, gradient).r;
 #endif
 #ifdef FLATBLOCK_SHADING
-  matter.rgb = lit(vec4(matter.rgb, 1.0), lightOn(gradient, position));
+  matter.rgb = lit(vec4(matter.rgb, 1.0), lightOn(gradient, position, component));
 #endif
 #endif
   return matter;

@@ -70,9 +70,13 @@ vec4 thinned(vec4 color, float share)
 #endif
 
 #ifdef FLATBLOCK_MODULATED
-// What the gradient in a piece does to it.
-void modulate(inout Gathered gathered, inout vec4 color, Brick brick, vec3 position)
+// What the gradient in a piece does to it, which is as many steps long.
+void modulate(
+  inout Gathered gathered, inout vec4 color, Brick brick, vec3 position, float steps)
 {
+#ifdef FLATBLOCK_SCATTERING
+  opacityOfStep = 1.0 - pow(1.0 - color.a, 1.0 / steps);
+#endif
 #ifdef FLATBLOCK_GRADIENT_OPACITY
   if (color.a > 0.0)
   {
@@ -82,13 +86,13 @@ void modulate(inout Gathered gathered, inout vec4 color, Brick brick, vec3 posit
 #ifdef FLATBLOCK_NORMAL_FROM_OPACITY
     gradient = gradientOfSurface(brick, position);
 #endif
-    gathered.light = lightOn(gradient, position);
+    gathered.light = lightOn(gradient, position, 0);
 #endif
   }
 #elif defined(FLATBLOCK_SHADING)
   if ((1.0 - gathered.color.a) * color.a > in_ShadingOpacityThreshold)
   {
-    gathered.light = lightOn(gradientOfSurface(brick, position), position);
+    gathered.light = lightOn(gradientOfSurface(brick, position), position, 0);
   }
 #endif
 #ifdef FLATBLOCK_SHADING
@@ -140,7 +144,7 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
     {
 #ifdef FLATBLOCK_MODULATED
       vec3 middle = origin + 0.5 * (progress.at + target) * ray.direction;
-      modulate(gathered, piece.color, brick, middle);
+      modulate(gathered, piece.color, brick, middle, (target - progress.at) * ray.unit);
 #endif
       addColor(gathered, piece.color, origin + target * ray.direction);
       moveTo(progress, back, target, brick);

@@ -52,7 +52,7 @@ vec4 surfaceAt(Ray ray, vec3 origin, Brick brick, float isoValue, float at)
   vec4 color = surfaceOf(isoValue);
 #ifdef FLATBLOCK_SHADING
   vec3 position = origin + at * ray.direction;
-  Light light = lightOn(gradientAt(brick, position), position);
+  Light light = lightOn(gradientAt(brick, position), position, 0);
   color.rgb = lit(color, light);
 #endif
   return color;

@@ -1,6 +1,5 @@
 // How far a ray has come, whatever it gathers on its way.
 
-uniform float in_StepLength; // in the smallest spacing
 #ifdef FLATBLOCK_SAMPLE_LIMIT
 uniform int in_MaximumNumberOfSamples;
 #endif

@@ -6,6 +6,7 @@ uniform mat3 in_PixelToOrigin;   // (x, y, 1), normalized device coordinates, to
 uniform mat3 in_PixelToSight;    // and to its direction, in samples
 uniform vec3 in_LastSample;      // far corner of the box
 uniform mat3 in_SampleToSteps;   // directions in samples to lengths in steps of the ray
+uniform float in_StepLength;     // in the smallest spacing
 uniform vec4 in_NearPlane;       // nothing before it is drawn
 uniform float in_DepthOfCenter;  // normalized device depth of the middle of the box
 uniform vec4 in_SampleToDepth;   // rows of the matrix from samples to clip coordinates: z, less w at

@@ -14,6 +14,7 @@
 //FlatBlock::Walk
 //FlatBlock::TransferTable
 //FlatBlock::Gradient
+//FlatBlock::Scattering
 //FlatBlock::Shading
 //FlatBlock::Classification
 //FlatBlock::Selection

@@ -10,10 +10,10 @@ uniform vec4 in_LightPosition[MostLights]; // from the first sample, in world co
 uniform vec3 in_LightAttenuation[MostLights]; // constant, linear, quadratic, of a distance
 uniform vec2 in_LightCone[MostLights]; // cosine of its half angle, and the exponent within
 #endif
-uniform vec3 in_LightDiffuse[MostLights];   // with the material's
+uniform vec3 in_LightDiffuse[MostLights];
 uniform vec3 in_LightSpecular[MostLights];
 uniform vec3 in_Ambient;
-uniform float in_SpecularPower;
+uniform vec4 in_Materials[4]; // of components: ambient, diffuse, specular, its power
 uniform bool in_TwoSidedLighting;
 uniform float in_ShadingOpacityThreshold; // of what is seen, below which a piece keeps the last light
 
@@ -25,12 +25,14 @@ struct Light
   vec3 specular;  // and what is added to them, for full opacity
 };
 
-// Direction to a light, and how much of it arrives.
-vec3 directionTo(int light, vec3 position, out float share)
+// Direction to a light, how much of it arrives through empty space, and how far away it is.
+vec3 directionTo(int light, vec3 position, out float share, out float farthest)
 {
   share = 1.0;
   vec3 direction = in_LightDirection[light];
-  direction = dot(direction, direction) > 0.0 ? direction : toViewer;
+  bool isAtEye = direction == vec3(0.0);
+  direction = isAtEye ? toViewer : direction;
+  farthest = isAtEye && in_Eye.w > 0.0 ? length(in_SampleToWorld * (in_Eye.xyz - position)) : 1e30;
 #ifdef FLATBLOCK_POSITIONAL_LIGHTS
   if (in_LightPosition[light].w > 0.0)
   {
@@ -44,42 +46,57 @@ vec3 directionTo(int light, vec3 position, out float share)
     float along = dot(way, direction);
     share *= along >= cone.x ? pow(max(along, 1e-6), cone.y) : 0.0;
     direction = way;
+    farthest = distance;
   }
 #endif
   return direction;
 }
 
-Light lightOn(vec3 gradient, vec3 position)
+Light lightOn(vec3 gradient, vec3 position, int component)
 {
+  vec4 material = in_Materials[component];
   vec3 normal = -(in_GradientToWorld * gradient);
   normal /= max(length(normal), 1e-30);
-  Light light = Light(in_Ambient, vec3(0.0));
+  Light light = Light(material.x * in_Ambient, vec3(0.0));
+#ifdef FLATBLOCK_SCATTERING
+  vec3 scattered = material.x * in_ScatteredAmbient;
+#endif
   for (int i = 0; i < in_Lights; ++i)
   {
     float share;
-    vec3 direction = directionTo(i, position, share);
+    float farthest;
+    vec3 direction = directionTo(i, position, share, farthest);
     float facing = dot(normal, direction);
     float shining = dot(normal, normalize(direction + toViewer + 1e-12));
     facing = max(in_TwoSidedLighting ? abs(facing) : facing, 0.0);
     shining = max(in_TwoSidedLighting ? abs(shining) : shining, 1e-6);
-    light.reflected += share * facing * in_LightDiffuse[i];
-    light.specular += share * pow(shining, in_SpecularPower) * in_LightSpecular[i];
+    light.reflected += share * facing * material.y * in_LightDiffuse[i];
+    light.specular += share * pow(shining, material.w) * material.z * in_LightSpecular[i];
+#ifdef FLATBLOCK_SCATTERING
+    scattered += share * transmittance(position, direction, farthest) *
+      phaseOf(-dot(direction, toViewer)) * material.y * in_LightDiffuse[i];
+#endif
   }
+#ifdef FLATBLOCK_SCATTERING
+  float volume = scatteredShare(gradient);
+  light.reflected = mix(light.reflected, scattered, volume);
+  light.specular *= 1.0 - volume;
+#endif
   return light;
 }
 
 // The light before there is any: that on a surface seen from in front.
 Light firstLight()
 {
-  Light light = Light(in_Ambient, vec3(0.0));
+  Light light = Light(in_Materials[0].x * in_Ambient, vec3(0.0));
   for (int i = 0; i < in_Lights; ++i)
   {
-    light.reflected += in_LightDiffuse[i];
+    light.reflected += in_Materials[0].y * in_LightDiffuse[i];
   }
   return light;
 }
 
 vec3 lit(vec4 color, Light light)
 {
-  return color.rgb * light.reflected + color.a * light.specular;
+  return min(color.rgb * light.reflected + color.a * light.specular, vec3(color.a));
 }

@@ -44,6 +44,9 @@ struct RaySampling
   bool IsShaded = false;
   bool HasPositionalLights = false;
   bool HasNormalsFromOpacity = false;
+  double ScatteringReach = 0.0;
+  double ScatteringBlending = 0.0;
+  double ScatteringAnisotropy = 0.0;
   bool HasGradientOpacity = false;
   bool IsTwoDimensional = false; ///< colours depend on gradients,
   bool HasSecondArray = false;   ///< or on another array, the last component
@@ -62,6 +65,7 @@ struct RaySampling
 
   static constexpr double CoarsePixelsPerRay = 4.0;
 
+  bool HasScattering() const { return this->ScatteringBlending > 0.0; }
   bool HasGradientTable() const { return this->HasGradientOpacity || this->IsTwoDimensional; }
   bool NeedsGradients() const { return this->IsShaded || this->HasGradientTable(); }
 

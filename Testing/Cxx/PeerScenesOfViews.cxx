@@ -180,6 +180,20 @@ std::vector<PeerScene> GetPeerScenesOfViews()
           Both(s, [](auto* m) { m->ComputeNormalFromOpacityOn(); });
         },
         "" },
+      { "MapperShadows", 36.0, 0.98,
+        [](Scene& s)
+        {
+          SetPlain(s);
+          Shade(s);
+          s.Property->SetScatteringAnisotropy(0.3F);
+          Both(s,
+            [](auto* m)
+            {
+              m->SetVolumetricScatteringBlending(1.5F);
+              m->SetGlobalIlluminationReach(0.5F);
+            });
+        },
+        "slanted shadows are darker in VTK" },
 #endif
       { "GradientOpacity", 41.0, 0.99,
         [](Scene& s)

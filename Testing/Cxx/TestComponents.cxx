@@ -109,6 +109,23 @@ TEST(Components, AreDrawnAsThePeerDoes)
   }
 }
 
+TEST(Components, HaveMaterialsOfTheirOwn)
+{
+  Scene scene;
+  Show(scene, MakeWaves(2), 2, true);
+  for (int i = 0; i < 2; ++i)
+  {
+    scene.Property->SetShade(i, 1);
+    scene.Property->SetSpecular(i, 0.0);
+  }
+  const auto same = scene.Draw();
+  scene.Property->SetAmbient(1, 0.6);
+  scene.Property->SetDiffuse(1, 0.1);
+  const auto ours = scene.Draw();
+  EXPECT_GE(PSNR(ours, scene.DrawWithPeer()), 38.0);
+  EXPECT_LE(PSNR(ours, same), 34.0);
+}
+
 // A component that alone has weight is drawn as if it were the only one.
 TEST(Components, WithoutWeightAreNotSeen)
 {

@@ -245,6 +245,10 @@ TEST(Masks, ThatDoNotFitAreAnError)
   scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
   expectError("1D transfer functions");
   scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  scene.Property->SetLabelGradientOpacity(2, opacity);
+  expectError("label 2 has one of its own");
+  scene.Property->SetLabelGradientOpacity(2, nullptr);
   scene.Mapper->SetMaskInput(nullptr);
   scene.Mapper->SetBlendModeToComposite();
   EXPECT_EQ(LargestDifference(scene.Draw(), good), 0.0);
