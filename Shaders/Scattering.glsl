@@ -22,7 +22,8 @@ float extinctionAt(Brick brick, vec3 position)
     return 0.0;
   }
 #endif
-  float extinction = matterAtPosition(positionInTable(valueOf(texel))).a;
+  // Between entries of the table it hardly varies, for what is summed up.
+  float extinction = entryOfTable(int(positionInTable(valueOf(texel)) + 0.5)).a;
 #ifdef FLATBLOCK_GRADIENT_OPACITY
   extinction *= lookUpGradient(0.0, 0, gradientAt(brick, position)).r;
 #endif
@@ -93,9 +94,7 @@ float transmittance(vec3 position, vec3 direction, float farthest)
     exit = max(exit, at + LeastStep);
     while (isFull && at < exit && depth * in_StepLength < DarkDepth)
     {
-      // Software renderers end a shader after some ten thousand turns of its loops.
-      depth += depthOfStep(brick, ray, exit, at);
-      depth += depthOfStep(brick, ray, exit, at);
+      // Two a turn: software renderers end a shader after some ten thousand turns of its loops.
       depth += depthOfStep(brick, ray, exit, at);
       depth += depthOfStep(brick, ray, exit, at);
     }
