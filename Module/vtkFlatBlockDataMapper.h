@@ -79,8 +79,8 @@ public:
    * default. Its nearest value counts. Binary: where it is 0, nothing is drawn. LabelMap (default):
    * numbers of functions in vtkVolumeProperty::SetLabelColor() and SetLabelScalarOpacity(), up to
    * 255 of them; what has none of either, or is 0, has the default ones. An error with several
-   * components, 2D functions or gradient opacities of labels; labels are drawn by composite blending
-   * only.
+   * components, 2D functions or gradient opacities of labels; labels are drawn by composite
+   * blending only.
    */
   virtual void SetMaskInput(vtkImageData* mask);
   vtkImageData* GetMaskInput() const { return this->MaskInput; }
