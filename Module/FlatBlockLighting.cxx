@@ -151,7 +151,8 @@ bool HasPositionalLights(vtkRenderer* renderer)
 }
 
 void SetGradientScale(
-  vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, const ComponentTables& tables)
+  vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, const ComponentTables& tables,
+  const RaySampling& sampling)
 {
   constexpr double ShareOfRange = 0.25;
   const std::array<double, 3> spacing = GetSpacing(sampleToDataSet);
@@ -170,6 +171,13 @@ void SetGradientScale(
       return span > 0.0 ? static_cast<float>(component.Encoding.Scale / span) : 0.0F;
     });
   program->SetUniform1fv("in_GradientUnits", static_cast<int>(units.size()), units.data());
+  if (sampling.HasGradientModulation())
+  {
+    float modulation[3];
+    std::transform(sampling.GradientModulation.begin(), sampling.GradientModulation.end(),
+      modulation, [](double share) { return static_cast<float>(share); });
+    program->SetUniform3f("in_GradientModulation", modulation);
+  }
 }
 
 void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProperty* property,

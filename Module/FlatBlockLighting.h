@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ComponentTable.h"
+#include "RaySampling.h"
 
 class vtkMatrix4x4;
 class vtkRenderer;
@@ -19,8 +20,9 @@ void SetLighting(vtkRenderer* renderer, vtkShaderProgram* program, vtkVolumeProp
 /// Whether a light that is switched on has a position.
 bool HasPositionalLights(vtkRenderer* renderer);
 
-/// How gradients, in texels a sample, become magnitudes of a GradientTable: the uniforms of
+/// How gradients, in texels a sample, become magnitudes of a FunctionTable: the uniforms of
 /// Gradient.glsl.
 void SetGradientScale(
-  vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, const ComponentTables& tables);
+  vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, const ComponentTables& tables,
+  const RaySampling& sampling);
 } // namespace flatblock

@@ -15,9 +15,13 @@
 #include "FlatBlockComponentsGLSL.h"
 #include "FlatBlockCompositingGLSL.h"
 #include "FlatBlockCountingGLSL.h"
+#include "FlatBlockCubicBSplineFilterGLSL.h"
+#include "FlatBlockCurvatureGLSL.h"
+#include "FlatBlockDerivativesGLSL.h"
 #include "FlatBlockExtremesGLSL.h"
 #include "FlatBlockGradientGLSL.h"
 #include "FlatBlockIsosurfacesGLSL.h"
+#include "FlatBlockLinearFilterGLSL.h"
 #include "FlatBlockMarchGLSL.h"
 #include "FlatBlockMaskGLSL.h"
 #include "FlatBlockMaskedGLSL.h"
@@ -97,6 +101,25 @@ const char* GetGathering(const RaySampling& sampling)
   }
 }
 
+bool IsSpline(const RaySampling& sampling)
+{
+  return sampling.Filter == ReconstructionFilter::CubicBSpline;
+}
+
+bool HasDerivatives(const RaySampling& sampling)
+{
+  return sampling.IsCurved() || (IsSpline(sampling) && sampling.NeedsGradients());
+}
+
+// What the shader calls it.
+const char* GetName(CurvatureFunction function)
+{
+  constexpr const char* Names[] = { "", "firstPrincipal", "secondPrincipal", "meanCurvature",
+    "gaussianCurvature", "totalCurvature", "largestMagnitude", "shapeIndex", "curvedness",
+    "lineFeature" };
+  return Names[static_cast<int>(function)];
+}
+
 std::string GetDefines(
   const RaySampling& sampling, const Clipping& clipping, bool hasHoles, bool hasLongSums)
 {
@@ -114,13 +137,26 @@ std::string GetDefines(
   define(sampling.HasScattering(), "FLATBLOCK_SCATTERING");
   define(sampling.HasPositionalLights, "FLATBLOCK_POSITIONAL_LIGHTS");
   define(sampling.NeedsGradients(), "FLATBLOCK_GRADIENT");
+  define(sampling.GetApron() > 0, "FLATBLOCK_APRON");
+  define(IsSpline(sampling), "FLATBLOCK_SPLINE");
+  define(HasDerivatives(sampling), "FLATBLOCK_DERIVATIVES");
+  define(sampling.IsCurved(), "FLATBLOCK_CURVED");
+  if (sampling.Curvature != CurvatureFunction::None)
+  {
+    defines += std::string("#define FLATBLOCK_CURVATURE ") + GetName(sampling.Curvature) + "\n";
+  }
+  define(sampling.HasCurvatureOpacity, "FLATBLOCK_CURVATURE_OPACITY");
+  define(sampling.SilhouetteWidth > 0.0, "FLATBLOCK_SILHOUETTES");
+  define(sampling.HasGradientModulation(), "FLATBLOCK_GRADIENT_MODULATION");
+  define(sampling.NeedsMagnitudes(), "FLATBLOCK_GRADIENT_MAGNITUDE");
+  define(sampling.HasEagerDerivatives, "FLATBLOCK_EAGER_DERIVATIVES");
   define(sampling.Mask != MaskKind::None, "FLATBLOCK_MASK");
   define(sampling.Mask == MaskKind::Labels, "FLATBLOCK_LABELS");
   const bool isValueFirst = sampling.Mask != MaskKind::None || sampling.HasSecondArray;
   define(sampling.HasSecondArray, "FLATBLOCK_SECOND_ARRAY");
   define(isValueFirst, "FLATBLOCK_VALUE_FIRST");
   define((sampling.Components == 1 || isValueFirst) &&
-           (sampling.IsShaded || sampling.HasGradientOpacity),
+           (sampling.IsShaded || sampling.HasGradientOpacity || sampling.IsCurved()),
     "FLATBLOCK_MODULATED");
   define(sampling.AreIndependent, "FLATBLOCK_INDEPENDENT");
   if (sampling.Components > 1)
@@ -166,8 +202,12 @@ vtkShaderProgram* ReadyRayCaster(vtkOpenGLRenderWindow* window, const RaySamplin
     clipping.Planes.empty() && !clipping.Cropping ? "" : FlatBlockClippingGLSL);
   insert("//FlatBlock::AdaptiveImage", sampling.RefinesImage ? FlatBlockAdaptiveImageGLSL : "");
   insert("//FlatBlock::Blocks", FlatBlockBlocksGLSL);
+  insert("//FlatBlock::Filter",
+    IsSpline(sampling) ? FlatBlockCubicBSplineFilterGLSL : FlatBlockLinearFilterGLSL);
   insert("//FlatBlock::Walk", FlatBlockWalkGLSL);
   insert("//FlatBlock::TransferTable", FlatBlockTransferTableGLSL);
+  insert("//FlatBlock::Derivatives", HasDerivatives(sampling) ? FlatBlockDerivativesGLSL : "");
+  insert("//FlatBlock::Curvature", sampling.IsCurved() ? FlatBlockCurvatureGLSL : "");
   insert("//FlatBlock::Gradient", sampling.NeedsGradients() ? FlatBlockGradientGLSL : "");
   insert("//FlatBlock::Classification", GetClassification(sampling));
   insert("//FlatBlock::Scattering", sampling.HasScattering() ? FlatBlockScatteringGLSL : "");

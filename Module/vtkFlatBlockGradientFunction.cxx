@@ -42,10 +42,10 @@ vtkPiecewiseFunction* GetFunction(vtkVolumeProperty* property, int component)
 }
 
 // A column a component.
-flatblock::GradientTable MakeOpacity(
+flatblock::FunctionTable MakeOpacity(
   vtkVolumeProperty* property, const std::vector<double>& spans, bool isForEach)
 {
-  flatblock::GradientTable table = { static_cast<int>(spans.size()), Magnitudes,
+  flatblock::FunctionTable table = { static_cast<int>(spans.size()), Magnitudes,
     std::vector<float>(spans.size() * Magnitudes, 1.0F) };
   for (std::size_t i = 0; i < spans.size(); ++i)
   {
@@ -64,9 +64,9 @@ flatblock::GradientTable MakeOpacity(
   return table;
 }
 
-flatblock::GradientTable MakeColors(vtkImageData* image, double distance)
+flatblock::FunctionTable MakeColors(vtkImageData* image, double distance)
 {
-  flatblock::GradientTable table;
+  flatblock::FunctionTable table;
   const auto colors = flatblock::GetTwoDimensionalColors(image);
   table.Width = image->GetDimensions()[0];
   table.Height = image->GetDimensions()[1];

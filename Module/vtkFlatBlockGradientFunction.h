@@ -9,7 +9,7 @@
 #define vtkFlatBlockGradientFunction_h
 
 #include "BlockRanges.h"
-#include "GradientTable.h"
+#include "FunctionTable.h"
 #include "vtkObject.h"
 
 #include <array>
@@ -47,7 +47,7 @@ public:
   void Update(vtkVolumeProperty* property, const std::vector<flatblock::ValueRange>& ranges,
     bool isForEach, double unitOfLength);
 
-  const flatblock::GradientTable& GetTable() const { return this->Table; }
+  const flatblock::FunctionTable& GetTable() const { return this->Table; }
 
 protected:
   vtkFlatBlockGradientFunction() = default;
@@ -57,7 +57,7 @@ private:
   vtkFlatBlockGradientFunction(const vtkFlatBlockGradientFunction&) = delete;
   void operator=(const vtkFlatBlockGradientFunction&) = delete;
 
-  flatblock::GradientTable Table;
+  flatblock::FunctionTable Table;
 
   vtkVolumeProperty* BuiltProperty = nullptr; // only compared with
   vtkMTimeType BuiltTime = 0;

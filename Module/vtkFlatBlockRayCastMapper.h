@@ -28,13 +28,13 @@
 #ifndef vtkFlatBlockRayCastMapper_h
 #define vtkFlatBlockRayCastMapper_h
 
-#include "vtkFlatBlockShadingMapper.h"
+#include "vtkFlatBlockCurvatureMapper.h"
 
 class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockRayCastMapper
-  : public vtkFlatBlockShadingMapper
+  : public vtkFlatBlockCurvatureMapper
 {
 public:
-  vtkTypeMacro(vtkFlatBlockRayCastMapper, vtkFlatBlockShadingMapper);
+  vtkTypeMacro(vtkFlatBlockRayCastMapper, vtkFlatBlockCurvatureMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Classifications

@@ -135,7 +135,12 @@ void vtkFlatBlockVolumeMapper::WarnAboutIgnoredSettings()
       ignored += (ignored.empty() ? "" : ", ") + std::string(name);
     }
   };
+  const flatblock::RaySampling& sampling = this->Internals->Sampling;
+  const bool isCurved = this->CurvatureFunction != NO_CURVATURE || this->SilhouetteWidth > 0.0;
   check(this->Internals->Scalars->HasIgnoredBlanks(), "blanked cells of point data");
+  check(isCurved && !sampling.IsCurved(),
+    sampling.HasManyValues() ? "curvature of several components"
+                             : "curvature in blend modes other than composite and isosurface");
   if (!ignored.empty() && ignored != this->Internals->LastWarning)
   {
     vtkWarningMacro(<< "Not supported and ignored: " << ignored << ".");

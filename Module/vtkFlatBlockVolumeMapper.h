@@ -367,6 +367,7 @@ private:
   vtkTypeInt64 GetImageBytes(vtkRenderer* renderer) const;
   void DrawRays(vtkRenderer* renderer, vtkVolume* volume);
   void CastRays(vtkRenderer* renderer, vtkVolume* volume);
+  void AdjustDerivatives(vtkRenderer* renderer, vtkVolume* volume);
   void AdjustSampling(vtkRenderer* renderer, vtkVolume* volume);
   void WarnAboutSamples();
   void WarnAboutIgnoredSettings();

@@ -58,10 +58,12 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   const bool isComposite = in.Sampling.Blending.IsComposite();
   settings.LeapsMatter =
     this->HomogeneousLeaps && !in.Sampling.NeedsGradients() && isComposite && in.IsPlain();
-  settings.Tolerance = isComposite && in.IsPlain() ? this->VariationTolerance : 0.0;
+  settings.Tolerance =
+    isComposite && in.IsPlain() && !in.Sampling.IsCurved() ? this->VariationTolerance : 0.0;
   in.UpdateSkipMap(settings);
   in.UpdateBrickRanges();
   in.UpdateGradientTable();
+  in.UpdateCurvatureTable(this);
   this->DrawRays(renderer, volume);
 }
 
@@ -147,7 +149,7 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
     in.LastAtlasBytes = 0;
     in.CardLimit = {};
     in.AreBrickRangesCurrent = false;
-    in.RayCaster->SetBrickRanges(in.Window, {}); // before their place is given to others
+    in.RayCaster->GetLookups().SetBrickRanges(in.Window, {}); // before their place is given to others
   }
 }
 
@@ -167,8 +169,9 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer
   // Rounded up, so that not each step of a window that is being resized changes the atlas.
   return vtkOpenGLFlatBlockAtlas::GetIndexBytes(this->GetNumberOfBlocks()) +
          flatblock::RoundUp(vtkOpenGLFlatBlockSceneDepth::GetBytes(size[0], size[1])) +
-         vtkOpenGLFlatBlockRayCaster::GetTableBytes(in.GetTables(), in.Sampling) +
+         flatblock::RayLookups::GetTableBytes(in.GetTables(), in.Sampling) +
          in.GetSkipMapBytes() + in.GetBrickRangeBytes() + in.GetGradientTableBytes() +
+         in.GetCurvatureTableBytes() +
          this->GetImageBytes(renderer);
 }
 
@@ -256,16 +259,17 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
   }
   const flatblock::ComponentTables tables = in.GetTables();
   in.RayCaster->ReleaseStale(renderer, tables,
-    { in.GetSkipMapBytes(), in.GetGradientTableBytes(), in.GetBrickRangeBytes() },
+    { in.GetSkipMapBytes(), in.GetGradientTableBytes(), in.GetCurvatureTableBytes(),
+      in.GetBrickRangeBytes() },
     in.PlainSampling);
   while (!this->TryAtlas(renderer, volume))
   {
     this->ShrinkAtlas();
   }
-  if (!in.RayCaster->HasTransferTable(in.Sampling) || in.GetFunctionTime() > in.TransferTextureTime)
+  if (!in.RayCaster->GetLookups().HasTransferTable(in.Sampling) || in.GetFunctionTime() > in.TransferTextureTime)
   {
     flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
-    if (!in.RayCaster->SetTransferTable(in.Window, tables, in.Sampling))
+    if (!in.RayCaster->GetLookups().SetTransferTable(in.Window, tables, in.Sampling))
     {
       throw std::runtime_error(
         "The graphics card has no room for the functions of so many labels.");
@@ -286,7 +290,8 @@ bool vtkFlatBlockVolumeMapper::TryAtlas(vtkRenderer* renderer, vtkVolume* volume
   budget.Texels =
     this->UploadBytesPerFrame / static_cast<vtkTypeInt64>(BytesPerTexel(source.GetEncoding()));
   const flatblock::FramePlan frame = in.PlanFrame(
-    flatblock::IsInteractive(renderer) ? &budget : nullptr, this->InterblockContinuity);
+    flatblock::IsInteractive(renderer) ? &budget : nullptr,
+    this->InterblockContinuity && in.Sampling.MayCoarsenBorders());
 
   flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
   if (!in.Atlas->Execute(in.Window, frame, in.Residency, source))

@@ -137,6 +137,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkTypeInt64 GetBrickRangeBytes() const;
   void UpdateGradientTable();
   vtkTypeInt64 GetGradientTableBytes() const;
+  void UpdateCurvatureTable(vtkFlatBlockCurvatureMapper* mapper);
+  vtkTypeInt64 GetCurvatureTableBytes() const;
   flatblock::FramePlan PlanFrame(const flatblock::RefinementBudget* budget, bool continuity);
 
   flatblock::MemoryCounter Memory;                           // outlives those who count in it
@@ -168,6 +170,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkTimeStamp VisibleBlocksTime;
   vtkTimeStamp TransferTextureTime;
   vtkTimeStamp GradientTextureTime;
+  vtkTimeStamp CurvatureTextureTime;
   vtkTimeStamp SkipTextureTime;
   vtkTimeStamp ExtinctionTime;
   vtkTimeStamp TransmittanceTime;

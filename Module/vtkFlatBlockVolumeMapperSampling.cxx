@@ -1,4 +1,5 @@
 #include "FlatBlockBlending.h"
+#include "FlatBlockCurvature.h"
 #include "FlatBlockLighting.h"
 #include "RoundUp.h"
 #include "vtkFlatBlockVolumeMapperInternals.h"
@@ -98,6 +99,7 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
   sampling.ScatteringReach = this->GlobalIlluminationReach;
   sampling.ScatteringAnisotropy = volume->GetProperty()->GetScatteringAnisotropy();
 #endif
+  this->AdjustDerivatives(renderer, volume);
   sampling.HasPositionalLights = sampling.IsShaded && flatblock::HasPositionalLights(renderer);
   // The first light is that of surfaces, which says nothing of shadows.
   sampling.ShadingThreshold = sampling.HasScattering() ? 0.0 : this->ShadingOpacityThreshold;
@@ -129,6 +131,40 @@ void vtkFlatBlockVolumeMapper::AdjustSampling(vtkRenderer* renderer, vtkVolume* 
     sampling.MostSamples = 0;
     sampling.EnoughOpacity = std::min(sampling.EnoughOpacity, Seen);
   }
+}
+
+// The filter, and what curvature shows.
+void vtkFlatBlockVolumeMapper::AdjustDerivatives(vtkRenderer* renderer, vtkVolume* volume)
+{
+  flatblock::RaySampling& sampling = this->Internals->Sampling;
+  const bool isStill = !flatblock::IsInteractive(renderer);
+  const int stillFilter = this->StillReconstructionFilter == SAME_FILTER
+                            ? this->ReconstructionFilter
+                            : this->StillReconstructionFilter;
+  const bool isLinear =
+    volume->GetProperty()->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
+  const int filter = isStill ? stillFilter : this->ReconstructionFilter;
+  sampling.Filter = isLinear ? static_cast<flatblock::ReconstructionFilter>(filter)
+                             : flatblock::ReconstructionFilter::Linear;
+  sampling.MayBeSpline = isLinear && (stillFilter == CUBIC_B_SPLINE ||
+                                       this->ReconstructionFilter == CUBIC_B_SPLINE);
+  const bool mayBeCurved = (sampling.Components == 1 || !sampling.HasManyValues()) &&
+    (sampling.Blending.IsComposite() || sampling.Blending.Mode == flatblock::BlendMode::Isosurface);
+  sampling.Curvature = mayBeCurved
+                         ? static_cast<flatblock::CurvatureFunction>(this->CurvatureFunction)
+                         : flatblock::CurvatureFunction::None;
+  sampling.HasEndsInside = !(this->CurvatureRange[0] < this->CurvatureRange[1]);
+  sampling.CurvatureRange = sampling.HasEndsInside
+                              ? flatblock::GetNaturalRange(sampling.Curvature, sampling.UnitOfLength)
+                              : std::array<double, 2>{ this->CurvatureRange[0],
+                                  this->CurvatureRange[1] };
+  std::copy_n(sampling.CurvatureRange.begin(), 2, this->UsedCurvatureRange);
+  sampling.HasCurvatureOpacity =
+    sampling.Curvature != flatblock::CurvatureFunction::None && this->GetCurvatureOpacity();
+  sampling.SilhouetteWidth = mayBeCurved ? this->SilhouetteWidth : 0.0;
+  std::copy_n(this->SilhouetteColor, 3, sampling.SilhouetteColor.begin());
+  std::copy_n(this->GradientModulation, 3, sampling.GradientModulation.begin());
+  sampling.HasEagerDerivatives = !this->DerivativesOnDemand && sampling.NeedsGradients();
 }
 
 // Of the image of rays; where interactive frames may have one, it is kept free for it, so that the

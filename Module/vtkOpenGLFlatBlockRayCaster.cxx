@@ -4,6 +4,7 @@
 
 #include "FlatBlockBlending.h"
 #include "FlatBlockClipping.h"
+#include "FlatBlockCurvature.h"
 #include "FlatBlockLighting.h"
 #include "FlatBlockRayCasterProgram.h"
 #include "FlatBlockRayGeometry.h"
@@ -12,12 +13,8 @@
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFlatBlockAtlas.h"
-#include "vtkOpenGLFlatBlockBrickRanges.h"
-#include "vtkOpenGLFlatBlockGradientTexture.h"
 #include "vtkOpenGLFlatBlockRayImage.h"
 #include "vtkOpenGLFlatBlockSceneDepth.h"
-#include "vtkOpenGLFlatBlockSkipTexture.h"
-#include "vtkOpenGLFlatBlockTransferTable.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkOpenGLVertexArrayObject.h"
@@ -39,26 +36,9 @@ vtkOpenGLFlatBlockRayCaster::~vtkOpenGLFlatBlockRayCaster() = default;
 
 void vtkOpenGLFlatBlockRayCaster::SetMemoryCounter(flatblock::MemoryCounter* counter)
 {
-  this->TransferTable->SetMemoryCounter(counter);
-  this->SkipTexture->SetMemoryCounter(counter);
-  this->BrickRanges->SetMemoryCounter(counter);
-  this->GradientTexture->SetMemoryCounter(counter);
+  this->Lookups.SetMemoryCounter(counter);
   this->SceneDepth->SetMemoryCounter(counter);
   this->RayImage->SetMemoryCounter(counter);
-}
-
-namespace
-{
-bool NeedsIntegrals(const flatblock::RaySampling& sampling)
-{
-  return sampling.Method == flatblock::Classification::PreIntegrated;
-}
-} // namespace
-
-vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetTableBytes(
-  const flatblock::ComponentTables& tables, const flatblock::RaySampling& sampling)
-{
-  return vtkOpenGLFlatBlockTransferTable::GetBytes(tables, NeedsIntegrals(sampling));
 }
 
 vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetImageBytes(
@@ -70,15 +50,11 @@ vtkTypeInt64 vtkOpenGLFlatBlockRayCaster::GetImageBytes(
 }
 
 void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
-  const flatblock::ComponentTables& tables, const LookupBytes& bytes,
+  const flatblock::ComponentTables& tables, const flatblock::LookupBytes& bytes,
   const flatblock::RaySampling& sampling)
 {
   this->SceneDepth->ReleaseIfStale(renderer);
-  this->SkipTexture->ReleaseIfStale(renderer->GetRenderWindow(), bytes.SkipMap);
-  this->GradientTexture->ReleaseIfStale(renderer->GetRenderWindow(), bytes.GradientTable);
-  this->BrickRanges->ReleaseIfStale(renderer->GetRenderWindow(), bytes.BrickRanges);
-  this->TransferTable->ReleaseIfStale(
-    renderer->GetRenderWindow(), tables, NeedsIntegrals(sampling));
+  this->Lookups.ReleaseStale(renderer->GetRenderWindow(), tables, bytes, sampling);
   if (sampling.HasImage())
   {
     this->RayImage->ReleaseIfStale(renderer, sampling.GetPixelsOfImage(), sampling.HasTwoImages());
@@ -87,52 +63,6 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseStale(vtkRenderer* renderer,
   {
     this->RayImage->ReleaseGraphicsResources(renderer->GetRenderWindow());
   }
-}
-
-bool vtkOpenGLFlatBlockRayCaster::SetTransferTable(vtkOpenGLRenderWindow* window,
-  const flatblock::ComponentTables& tables, const flatblock::RaySampling& sampling)
-{
-  return this->TransferTable->Upload(window, tables, NeedsIntegrals(sampling));
-}
-
-bool vtkOpenGLFlatBlockRayCaster::HasTransferTable(const flatblock::RaySampling& sampling) const
-{
-  return this->TransferTable->IsUploaded(NeedsIntegrals(sampling));
-}
-
-bool vtkOpenGLFlatBlockRayCaster::SetSkipMap(vtkOpenGLRenderWindow* window,
-  const flatblock::SkipMap& map, const flatblock::RaySampling& sampling)
-{
-  return this->SkipTexture->Upload(window, map, sampling.CellsPerCube);
-}
-
-bool vtkOpenGLFlatBlockRayCaster::HasSkipMap() const
-{
-  return this->SkipTexture->IsUploaded();
-}
-
-bool vtkOpenGLFlatBlockRayCaster::SetBrickRanges(
-  vtkOpenGLRenderWindow* window, const std::vector<flatblock::TexelRange>& ranges)
-{
-  this->BrickRanges->ReleaseGraphicsResources(window);
-  return ranges.empty() || this->BrickRanges->Upload(window, ranges);
-}
-
-bool vtkOpenGLFlatBlockRayCaster::HasBrickRanges() const
-{
-  return this->BrickRanges->IsUploaded();
-}
-
-bool vtkOpenGLFlatBlockRayCaster::SetGradientTable(
-  vtkOpenGLRenderWindow* window, const flatblock::GradientTable& table)
-{
-  this->GradientTexture->ReleaseGraphicsResources(window);
-  return table.IsEmpty() || this->GradientTexture->Upload(window, table);
-}
-
-bool vtkOpenGLFlatBlockRayCaster::HasGradientTable() const
-{
-  return this->GradientTexture->IsUploaded();
 }
 
 void vtkOpenGLFlatBlockRayCaster::GetImages(vtkImageData* color, vtkImageData* depth) const
@@ -172,7 +102,7 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkShaderProgram* program =
     flatblock::ReadyRayCaster(window, scene.Sampling, scene.Clipping, scene.HasHoles,
-      this->TransferTable->NeedsLongSums(scene.Sampling.Step / scene.Sampling.UnitOfLength));
+      this->Lookups.NeedsLongSums(scene.Sampling));
   if (!program)
   {
     return false;
@@ -188,7 +118,7 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   this->SetBlocks(program, scene);
   flatblock::SetClipping(program, scene.Clipping);
   flatblock::SetBlending(program, scene.Sampling, scene.Clipping, scene.Tables);
-  this->TransferTable->Activate(program, scene.Tables);
+  this->Lookups.Activate(program, scene.Tables, scene.Sampling);
   if (scene.Sampling.RayStart > 0.0 || scene.Sampling.NeedsGradients())
   {
     flatblock::SetDirections(program, "in_SampleToWorld", sampleToWorld, 1.0);
@@ -205,6 +135,11 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   {
     flatblock::SetScattering(
       program, sampleToWorld, scene.SampleToDataSet, scene.Sampling, scene.Tables);
+  }
+  if (scene.Sampling.IsCurved())
+  {
+    flatblock::SetCurvature(program, scene.SampleToDataSet, scene.Sampling,
+      scene.Tables.front().Encoding);
   }
   if (scene.Sampling.IsShaded)
   {
@@ -233,10 +168,7 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   {
     this->RayImage->Deactivate();
   }
-  this->TransferTable->Deactivate();
-  this->SkipTexture->Deactivate();
-  this->GradientTexture->Deactivate();
-  this->BrickRanges->Deactivate();
+  this->Lookups.Deactivate();
   return isDrawn;
 }
 
@@ -301,18 +233,12 @@ void vtkOpenGLFlatBlockRayCaster::SetBlocks(vtkShaderProgram* program, const Sce
   program->SetUniform3f("in_AtlasTexel", texel);
   program->SetUniformi("in_CellsPerBlock", grid.GetCellsPerBlock());
   program->SetUniform1iv("in_Blocks", 3, grid.GetBlocks().data());
-  if (scene.Sampling.HasGradientTable())
+  if (scene.Sampling.NeedsMagnitudes())
   {
-    this->GradientTexture->Activate(program);
-    flatblock::SetGradientScale(program, scene.SampleToDataSet, scene.Tables);
-  }
-  if (scene.Sampling.UsesRanges())
-  {
-    this->BrickRanges->Activate(program);
+    flatblock::SetGradientScale(program, scene.SampleToDataSet, scene.Tables, scene.Sampling);
   }
   if (scene.Sampling.CellsPerCube > 0)
   {
-    this->SkipTexture->Activate(program);
     program->SetUniformi("in_CubesPerBlock",
       static_cast<int>(std::lround(
         std::log2(grid.GetCellsPerBlock() / static_cast<double>(scene.Sampling.CellsPerCube)))));
@@ -383,10 +309,7 @@ void vtkOpenGLFlatBlockRayCaster::DrawCover(vtkOpenGLState* state, Cover cover)
 
 void vtkOpenGLFlatBlockRayCaster::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->TransferTable->ReleaseGraphicsResources(window);
-  this->SkipTexture->ReleaseGraphicsResources(window);
-  this->BrickRanges->ReleaseGraphicsResources(window);
-  this->GradientTexture->ReleaseGraphicsResources(window);
+  this->Lookups.ReleaseGraphicsResources(window);
   this->SceneDepth->ReleaseGraphicsResources(window);
   this->RayImage->ReleaseGraphicsResources(window);
 }
@@ -394,6 +317,5 @@ void vtkOpenGLFlatBlockRayCaster::ReleaseGraphicsResources(vtkWindow* window)
 void vtkOpenGLFlatBlockRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "TransferTable:\n";
-  this->TransferTable->PrintSelf(os, indent.GetNextIndent());
+  this->Lookups.Print(os, indent);
 }

@@ -9,11 +9,10 @@
 #include "BrickSource.h"
 #include "ComponentTable.h"
 #include "FlatBlockComponents.h"
+#include "FlatBlockRayLookups.h"
 #include "FlatBlockSelection.h"
-#include "GradientTable.h"
 #include "MemoryCounter.h"
 #include "RaySampling.h"
-#include "SkipMap.h"
 #include "ViewRegion.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
@@ -21,12 +20,8 @@
 class vtkImageData;
 class vtkMatrix4x4;
 class vtkOpenGLFlatBlockAtlas;
-class vtkOpenGLFlatBlockBrickRanges;
-class vtkOpenGLFlatBlockGradientTexture;
 class vtkOpenGLFlatBlockRayImage;
 class vtkOpenGLFlatBlockSceneDepth;
-class vtkOpenGLFlatBlockSkipTexture;
-class vtkOpenGLFlatBlockTransferTable;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLState;
 class vtkRenderer;
@@ -70,50 +65,17 @@ public:
   /**
    * Releases what the next Draw() will allocate in another size, so that its memory is free before.
    */
-  struct LookupBytes
-  {
-    vtkTypeInt64 SkipMap;
-    vtkTypeInt64 GradientTable;
-    vtkTypeInt64 BrickRanges;
-  };
   void ReleaseStale(vtkRenderer* renderer, const flatblock::ComponentTables& tables,
-    const LookupBytes& bytes, const flatblock::RaySampling& sampling);
+    const flatblock::LookupBytes& bytes, const flatblock::RaySampling& sampling);
 
   /**
-   * Sends transfer functions to the graphics card, where Draw() finds it: with its integrals where
-   * segments are integrated.
-   * @return whether the graphics card takes so many entries
+   * What Draw() finds on the graphics card.
    */
-  bool SetTransferTable(vtkOpenGLRenderWindow* window, const flatblock::ComponentTables& tables,
-    const flatblock::RaySampling& sampling);
-  bool HasTransferTable(const flatblock::RaySampling& sampling) const;
+  flatblock::RayLookups& GetLookups() { return this->Lookups; }
 
   /**
-   * The same for a map of leaps, where the sampling has one.
-   * @return whether the driver had memory for it
+   * Bytes of the image of rays where one is drawn.
    */
-  bool SetSkipMap(vtkOpenGLRenderWindow* window, const flatblock::SkipMap& map,
-    const flatblock::RaySampling& sampling);
-  bool HasSkipMap() const;
-
-  /**
-   * The same for the scales of bricks, of which a source may have none.
-   */
-  bool SetBrickRanges(
-    vtkOpenGLRenderWindow* window, const std::vector<flatblock::TexelRange>& ranges);
-  bool HasBrickRanges() const;
-
-  /**
-   * The same for what depends on gradients, which may be nothing.
-   */
-  bool SetGradientTable(vtkOpenGLRenderWindow* window, const flatblock::GradientTable& table);
-  bool HasGradientTable() const;
-
-  /**
-   * Bytes of transfer functions, and of the image of rays where one is drawn.
-   */
-  static vtkTypeInt64 GetTableBytes(
-    const flatblock::ComponentTables& tables, const flatblock::RaySampling& sampling);
   static vtkTypeInt64 GetImageBytes(vtkRenderer* renderer, const flatblock::RaySampling& sampling);
 
   /**
@@ -160,10 +122,7 @@ private:
   bool DrawRays(vtkRenderer* renderer, const Scene& scene, Cover cover);
   void DrawCover(vtkOpenGLState* state, Cover cover);
 
-  vtkNew<vtkOpenGLFlatBlockTransferTable> TransferTable;
-  vtkNew<vtkOpenGLFlatBlockSkipTexture> SkipTexture;
-  vtkNew<vtkOpenGLFlatBlockBrickRanges> BrickRanges;
-  vtkNew<vtkOpenGLFlatBlockGradientTexture> GradientTexture;
+  flatblock::RayLookups Lookups;
   vtkNew<vtkOpenGLFlatBlockSceneDepth> SceneDepth;
   vtkNew<vtkOpenGLFlatBlockRayImage> RayImage;
 };

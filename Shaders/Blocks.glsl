@@ -41,7 +41,7 @@ Texel firstOf(vec4 values)
 
 const uint NotResident = 65535u;
 
-#ifdef FLATBLOCK_GRADIENT
+#ifdef FLATBLOCK_APRON
 const float Apron = 1.0; // samples around a brick
 #else
 const float Apron = 0.0;
@@ -118,7 +118,22 @@ Texel texelAt(Brick brick, vec3 at)
 #endif
 }
 
-Texel texelOf(Brick brick, vec3 position)
+// By its place in the atlas.
+Texel fetchTexel(Brick brick, ivec3 at)
 {
-  return texelAt(brick, inAtlas(brick, position));
+  countFetches(1);
+#ifdef FLATBLOCK_COMPONENTS
+  return texelFetch(in_Atlas, at, 0);
+#else
+  return valueOfTexel(brick, texelFetch(in_Atlas, at, 0).r);
+#endif
+}
+
+// The cell between 8 texels that a position lies in, by the first one, and how far along it.
+ivec3 cellOf(Brick brick, vec3 position, out vec3 share)
+{
+  vec3 at = inBrick(brick, position);
+  vec3 cell = clamp(floor(at), 0.0, max(float(brick.side - 2), 0.0));
+  share = at - cell;
+  return ivec3(cell);
 }

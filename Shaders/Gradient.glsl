@@ -3,6 +3,8 @@
 
 #ifdef FLATBLOCK_GRADIENT_TABLE
 uniform sampler2D in_GradientTable; // y: magnitudes
+#endif
+#ifdef FLATBLOCK_GRADIENT_MAGNITUDE
 uniform vec3 in_GradientToTable;    // scale an axis: to magnitudes from 0 to 1,
 uniform float in_GradientUnits[TexelComponents]; // and for each component
 #endif
@@ -89,8 +91,12 @@ Differences differencesAt(Brick brick, vec3 position)
 #if defined(FLATBLOCK_VALUE_FIRST) || !defined(FLATBLOCK_COMPONENTS)
 vec3 gradientAt(Brick brick, vec3 position)
 {
+#ifdef FLATBLOCK_SPLINE
+  return derivativesAt(brick, position).gradient;
+#else
   Differences differences = differencesAt(brick, position);
   return vec3(valueOf(differences.x), valueOf(differences.y), valueOf(differences.z));
+#endif
 }
 
 // That is perpendicular to what light falls on.
@@ -102,6 +108,13 @@ vec3 gradientOfSurface(Brick brick, vec3 position)
 #else
   return gradientAt(brick, position);
 #endif
+}
+#endif
+
+#ifdef FLATBLOCK_GRADIENT_MAGNITUDE
+float magnitudeOf(vec3 gradient, int component)
+{
+  return in_GradientUnits[component] * length(gradient * in_GradientToTable);
 }
 #endif
 
@@ -117,6 +130,6 @@ vec4 lookUp(float across, float up)
 
 vec4 lookUpGradient(float across, int component, vec3 gradient)
 {
-  return lookUp(across, in_GradientUnits[component] * length(gradient * in_GradientToTable));
+  return lookUp(across, magnitudeOf(gradient, component));
 }
 #endif

@@ -50,10 +50,27 @@ float findCrossing(Ray ray, vec3 origin, Brick brick, float isoValue, vec2 ends,
 vec4 surfaceAt(Ray ray, vec3 origin, Brick brick, float isoValue, float at)
 {
   vec4 color = surfaceOf(isoValue);
-#ifdef FLATBLOCK_SHADING
   vec3 position = origin + at * ray.direction;
-  Light light = lightOn(gradientAt(brick, position), position, 0);
+#ifdef FLATBLOCK_CURVED
+  Derivatives derivatives = derivativesAt(brick, position);
+  Curvature curvature = curvatureOf(derivatives);
+  vec3 gradient = derivatives.gradient;
+#elif defined(FLATBLOCK_SHADING)
+  vec3 gradient = gradientAt(brick, position);
+#endif
+#ifdef FLATBLOCK_CURVATURE
+  vec4 ofCurvature = lookUpCurvature(curvature);
+  color = vec4(ofCurvature.rgb, 1.0) * color.a;
+#ifdef FLATBLOCK_CURVATURE_OPACITY
+  color *= ofCurvature.a;
+#endif
+#endif
+#ifdef FLATBLOCK_SHADING
+  Light light = lightOn(gradient, position, 0);
   color.rgb = lit(color, light);
+#endif
+#ifdef FLATBLOCK_SILHOUETTES
+  color.rgb = mix(color.rgb, in_SilhouetteColor * color.a, silhouetteAt(curvature));
 #endif
   return color;
 }

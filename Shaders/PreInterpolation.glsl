@@ -4,9 +4,8 @@
 
 Point pointAt(Brick brick, vec3 position)
 {
-  vec3 texel = inBrick(brick, position);
-  vec3 first = min(floor(texel), vec3(brick.side - 2));
-  vec3 share = texel - first;
+  vec3 share;
+  ivec3 first = ivec3(brick.origin) + cellOf(brick, position, share);
   Point point;
 #ifdef FLATBLOCK_HOLES
   point.isHole = false;
@@ -16,9 +15,7 @@ Point pointAt(Brick brick, vec3 position)
   {
     ivec3 offset = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
     vec3 weights = mix(1.0 - share, share, vec3(offset));
-    countFetches(1);
-    float value =
-      valueOfTexel(brick, texelFetch(in_Atlas, ivec3(brick.origin + first) + offset, 0).r);
+    float value = fetchTexel(brick, first + offset);
     vec4 matter = matterAtPosition(positionInTable(value));
 #ifdef FLATBLOCK_HOLES
     point.isHole = point.isHole || isHole(value);

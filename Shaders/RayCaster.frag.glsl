@@ -11,8 +11,11 @@
 //FlatBlock::Clipping
 //FlatBlock::AdaptiveImage
 //FlatBlock::Blocks
+//FlatBlock::Filter
 //FlatBlock::Walk
 //FlatBlock::TransferTable
+//FlatBlock::Derivatives
+//FlatBlock::Curvature
 //FlatBlock::Gradient
 //FlatBlock::Scattering
 //FlatBlock::Shading
@@ -40,6 +43,9 @@ void main()
 #endif
 #ifdef FLATBLOCK_SHADING
   toViewer = -normalize(in_SampleToWorld * ray.direction);
+#endif
+#ifdef FLATBLOCK_SILHOUETTES
+  sight = normalize(in_SampleToSteps * ray.direction);
 #endif
   Progress progress = noProgress();
   vec4 color = colorAlong(ray, progress);

@@ -14,6 +14,9 @@ uniform vec3 in_LightDiffuse[MostLights];
 uniform vec3 in_LightSpecular[MostLights];
 uniform vec3 in_Ambient;
 uniform vec4 in_Materials[4]; // of components: ambient, diffuse, specular, its power
+#ifdef FLATBLOCK_GRADIENT_MODULATION
+uniform vec3 in_GradientModulation; // of ambient, diffuse, specular: how much depends on gradients
+#endif
 uniform bool in_TwoSidedLighting;
 uniform float in_ShadingOpacityThreshold; // of what is seen, below which a piece keeps the last light
 
@@ -55,6 +58,9 @@ vec3 directionTo(int light, vec3 position, out float share, out float farthest)
 Light lightOn(vec3 gradient, vec3 position, int component)
 {
   vec4 material = in_Materials[component];
+#ifdef FLATBLOCK_GRADIENT_MODULATION
+  material.xyz *= mix(vec3(1.0), vec3(min(magnitudeOf(gradient, component), 1.0)), in_GradientModulation);
+#endif
   vec3 normal = -(in_GradientToWorld * gradient);
   normal /= max(length(normal), 1e-30);
   Light light = Light(material.x * in_Ambient, vec3(0.0));

@@ -3,6 +3,8 @@
 
 #include "Blending.h"
 
+#include <array>
+
 namespace flatblock
 {
 enum class Classification
@@ -19,6 +21,28 @@ struct RayCounts
   long long CutOff = 0; ///< by the limit of samples
   double Samples = 0.0; ///< points that were classified
   double Fetches = 0.0; ///< of textures: bricks, their index, map of leaps, transfer function
+};
+
+/// What is between samples.
+enum class ReconstructionFilter
+{
+  Linear,
+  CubicBSpline
+};
+
+/// What colours depend on, beside values.
+enum class CurvatureFunction
+{
+  None,
+  FirstPrincipal,
+  SecondPrincipal,
+  Mean,
+  Gaussian,
+  Total,
+  LargestMagnitude,
+  ShapeIndex,
+  Curvedness,
+  LineFeature
 };
 
 enum class MaskKind
@@ -50,6 +74,16 @@ struct RaySampling
   bool HasGradientOpacity = false;
   bool IsTwoDimensional = false; ///< colours depend on gradients,
   bool HasSecondArray = false;   ///< or on another array, the last component
+  ReconstructionFilter Filter = ReconstructionFilter::Linear;
+  bool MayBeSpline = false; ///< in this frame or another
+  CurvatureFunction Curvature = CurvatureFunction::None;
+  std::array<double, 2> CurvatureRange = { 0.0, 1.0 }; ///< that the table is over
+  bool HasEndsInside = false;        ///< of that range: at 2 % and 98 % of the table
+  bool HasCurvatureOpacity = false;
+  double SilhouetteWidth = 0.0; ///< in the data set's unit
+  std::array<double, 3> SilhouetteColor = { 0.0, 0.0, 0.0 };
+  std::array<double, 3> GradientModulation = { 0.0, 0.0, 0.0 }; ///< of ambient, diffuse, specular
+  bool HasEagerDerivatives = false; ///< of all samples, seen or not
   double ShadingThreshold = 0.0; ///< opacity that a piece must be seen with to be lit anew
   int MostSamples = 0;           ///< of a ray; 0: no limit
   double RayStart = 0.0;         ///< in world units from the eye, or the near plane
@@ -67,10 +101,27 @@ struct RaySampling
 
   bool HasScattering() const { return this->ScatteringBlending > 0.0; }
   bool HasGradientTable() const { return this->HasGradientOpacity || this->IsTwoDimensional; }
-  bool NeedsGradients() const { return this->IsShaded || this->HasGradientTable(); }
+  bool IsCurved() const
+  {
+    return this->Curvature != CurvatureFunction::None || this->SilhouetteWidth > 0.0;
+  }
+  bool HasGradientModulation() const
+  {
+    return this->IsShaded && !this->HasNormalsFromOpacity &&
+           this->GradientModulation != std::array<double, 3>{ 0.0, 0.0, 0.0 };
+  }
+  bool NeedsMagnitudes() const { return this->HasGradientTable() || this->HasGradientModulation(); }
+  bool NeedsGradients() const
+  {
+    return this->IsShaded || this->HasGradientTable() || this->IsCurved();
+  }
 
-  /// Samples around a brick that its derivatives reach for.
-  int GetApron() const { return this->NeedsGradients() ? 1 : 0; }
+  /// Samples around a brick that its values and derivatives reach for.
+  int GetApron() const { return this->NeedsGradients() || this->MayBeSpline ? 1 : 0; }
+
+  /// Whether bricks agree with coarser ones at their border, and not with their own samples, which
+  /// second derivatives and splines are made of.
+  bool MayCoarsenBorders() const { return !this->IsCurved() && !this->MayBeSpline; }
 
   /// Whether rays ask for the values that a block has.
   bool UsesRanges() const { return this->HasBrickRanges || this->HasExtremeRanges(); }

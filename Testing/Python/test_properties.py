@@ -6,7 +6,8 @@ import sys
 import unittest
 
 from flatblock import vtkFlatBlockVolumeMapper
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
 
 HUGE = {"int": 2**31 - 1, "float": 1e300, "bool": True}
@@ -14,7 +15,10 @@ TINY = {"int": -(2**31), "float": -1e300, "bool": False}
 # What takes some values only, and refuses all others with an error: those values.
 CHOICES = {"BlockSize": (17, 65), "AtlasPrecision": (0, 8)}
 # Not a number: an object, or a text.
-OBJECTS = {"MaskInput": vtkImageData, "Transfer2DYAxisArray": lambda: "name"}
+OBJECTS = {"MaskInput": vtkImageData,
+    "CurvatureColor": vtkColorTransferFunction,
+    "CurvatureOpacity": vtkPiecewiseFunction,
+    "Transfer2DYAxisArray": lambda: "name"}
 HEADERS = sys.argv[1:]
 
 

@@ -81,48 +81,6 @@ ReferenceTable SampleProperty(
   return table;
 }
 
-ReferenceVolume ReadVolume(vtkImageData* image)
-{
-  ReferenceVolume volume;
-  image->GetDimensions(volume.Samples.data());
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  volume.Values.resize(scalars->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
-  {
-    volume.Values[i] = scalars->GetComponent(i, 0);
-  }
-  return volume;
-}
-
-ReferenceView GetView(Scene& scene, vtkImageData* image)
-{
-  vtkNew<vtkMatrix4x4> sampleToDataSet;
-  sampleToDataSet->DeepCopy(image->GetIndexToPhysicalMatrix());
-  const int* extent = image->GetExtent();
-  const double first[4] = { double(extent[0]), double(extent[2]), double(extent[4]), 1.0 };
-  double origin[4];
-  sampleToDataSet->MultiplyPoint(first, origin);
-  vtkNew<vtkMatrix4x4> matrix;
-  scene.Volume->GetMatrix(matrix);
-  ReferenceView view;
-  view.Width = scene.Window->GetSize()[0];
-  view.Height = scene.Window->GetSize()[1];
-  for (int i = 0; i < 3; ++i)
-  {
-    sampleToDataSet->SetElement(i, 3, origin[i]);
-    for (int j = 0; j < 3; ++j)
-    {
-      view.SampleToLength[3 * i + j] = sampleToDataSet->GetElement(i, j);
-    }
-  }
-  vtkMatrix4x4::Multiply4x4(matrix, sampleToDataSet, matrix);
-  vtkMatrix4x4* worldToClip =
-    scene.Renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-      scene.Renderer->GetTiledAspectRatio(), -1.0, 1.0);
-  vtkMatrix4x4::Multiply4x4(worldToClip, matrix, matrix);
-  std::copy_n(&matrix->Element[0][0], 16, view.SampleToClip.begin());
-  return view;
-}
 } // namespace
 
 FloatFramebuffer::FloatFramebuffer(vtkRenderWindow* window, int width, int height)
@@ -178,13 +136,58 @@ Picture DrawFloats(Scene& scene)
   return framebuffer.Read();
 }
 
+ReferenceVolume ReadReferenceVolume(Scene& scene)
+{
+  auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetInputDataObject(0, 0));
+  ReferenceVolume volume;
+  image->GetDimensions(volume.Samples.data());
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  volume.Values.resize(scalars->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    volume.Values[i] = scalars->GetComponent(i, 0);
+  }
+  return volume;
+}
+
+ReferenceView GetReferenceView(Scene& scene)
+{
+  auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetInputDataObject(0, 0));
+  vtkNew<vtkMatrix4x4> sampleToDataSet;
+  sampleToDataSet->DeepCopy(image->GetIndexToPhysicalMatrix());
+  const int* extent = image->GetExtent();
+  const double first[4] = { double(extent[0]), double(extent[2]), double(extent[4]), 1.0 };
+  double origin[4];
+  sampleToDataSet->MultiplyPoint(first, origin);
+  vtkNew<vtkMatrix4x4> matrix;
+  scene.Volume->GetMatrix(matrix);
+  ReferenceView view;
+  view.Width = scene.Window->GetSize()[0];
+  view.Height = scene.Window->GetSize()[1];
+  for (int i = 0; i < 3; ++i)
+  {
+    sampleToDataSet->SetElement(i, 3, origin[i]);
+    for (int j = 0; j < 3; ++j)
+    {
+      view.SampleToLength[3 * i + j] = sampleToDataSet->GetElement(i, j);
+    }
+  }
+  vtkMatrix4x4::Multiply4x4(matrix, sampleToDataSet, matrix);
+  vtkMatrix4x4* worldToClip =
+    scene.Renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+      scene.Renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  vtkMatrix4x4::Multiply4x4(worldToClip, matrix, matrix);
+  std::copy_n(&matrix->Element[0][0], 16, view.SampleToClip.begin());
+  return view;
+}
+
 Picture DrawReference(Scene& scene, int stride, ReferenceFilter filter)
 {
   auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetInputDataObject(0, 0));
-  ReferenceVolume volume = ReadVolume(image);
+  ReferenceVolume volume = ReadReferenceVolume(scene);
   const ReferenceTable table =
     SampleProperty(scene.Property, GetFiniteRange(volume.Values), GetSmallestSpacing(image));
-  const ReferenceView view = GetView(scene, image);
+  const ReferenceView view = GetReferenceView(scene);
   vtkVolumeProperty* property = scene.Property;
   if (property->GetShade() != 0)
   {

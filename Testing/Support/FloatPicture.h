@@ -34,6 +34,10 @@ private:
 /// The scene's volume alone, over nothing: premultiplied colour, and opacity.
 Picture DrawFloats(Scene& scene);
 
+/// What the scene shows, and from where, in the reference's terms.
+ReferenceVolume ReadReferenceVolume(Scene& scene);
+ReferenceView GetReferenceView(Scene& scene);
+
 /// The same by the reference, every `stride`-th pixel of every `stride`-th row. Where the property
 /// shades that is trilinear, by a headlight.
 Picture DrawReference(

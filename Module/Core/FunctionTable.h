@@ -1,4 +1,4 @@
-/// What depends on the magnitude of the gradient.
+/// A function of one or two numbers, from 0 to 1 each, that rays look up.
 #pragma once
 
 #include <cstddef>
@@ -6,12 +6,13 @@
 
 namespace flatblock
 {
-/// Gradients are measured as VTK does: times the mean of the spacings, over a quarter of the range
-/// of values; what is beyond 1 counts as 1. Rows are magnitudes from 0 to 1.
-struct GradientTable
+/// Of gradients, rows are their magnitudes, measured as VTK does: times the mean of the spacings,
+/// over a quarter of the range of values; what is beyond 1 counts as 1. Of curvature there is one
+/// row, with colours and a share of opacity.
+struct FunctionTable
 {
   int Width = 0;             ///< 1, or values from the lowest to the highest
-  int Height = 0;            ///< 0: nothing depends on gradients
+  int Height = 0;            ///< 0: there is no function
   std::vector<float> Texels; ///< x fastest: a share of opacity; or red, green, blue, extinction
 
   bool IsEmpty() const { return this->Height == 0; }

@@ -1,21 +1,21 @@
 #include "vtk_glew.h"
 
-#include "vtkOpenGLFlatBlockGradientTexture.h"
+#include "vtkOpenGLFlatBlockFunctionTexture.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-vtkStandardNewMacro(vtkOpenGLFlatBlockGradientTexture);
+vtkStandardNewMacro(vtkOpenGLFlatBlockFunctionTexture);
 
-vtkTypeInt64 vtkOpenGLFlatBlockGradientTexture::GetBytes(const flatblock::GradientTable& table)
+vtkTypeInt64 vtkOpenGLFlatBlockFunctionTexture::GetBytes(const flatblock::FunctionTable& table)
 {
   return static_cast<vtkTypeInt64>(sizeof(float)) * static_cast<vtkTypeInt64>(table.Texels.size());
 }
 
-bool vtkOpenGLFlatBlockGradientTexture::Upload(
-  vtkOpenGLRenderWindow* window, const flatblock::GradientTable& table)
+bool vtkOpenGLFlatBlockFunctionTexture::Upload(
+  vtkOpenGLRenderWindow* window, const flatblock::FunctionTable& table)
 {
   return this->Create(window, GetBytes(table),
     [&]
@@ -32,8 +32,8 @@ bool vtkOpenGLFlatBlockGradientTexture::Upload(
     });
 }
 
-void vtkOpenGLFlatBlockGradientTexture::Activate(vtkShaderProgram* program)
+void vtkOpenGLFlatBlockFunctionTexture::Activate(vtkShaderProgram* program)
 {
   this->Texture->Activate();
-  program->SetUniformi("in_GradientTable", this->Texture->GetTextureUnit());
+  program->SetUniformi(this->Name, this->Texture->GetTextureUnit());
 }

@@ -1,0 +1,126 @@
+#include "FlatBlockCurvature.h"
+
+#include "FlatBlockRayGeometry.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkShaderProgram.h"
+
+#include <cmath>
+#include <vector>
+
+namespace flatblock
+{
+namespace
+{
+constexpr int Entries = 1024;
+
+// The power of length that it is measured in.
+int GetDimension(CurvatureFunction function)
+{
+  switch (function)
+  {
+  case CurvatureFunction::Gaussian:
+    return -2;
+  case CurvatureFunction::ShapeIndex:
+    return 0;
+  default:
+    return -1;
+  }
+}
+
+// Of all texels at once, from 0 to 1.
+double GetQuantum(TexelFormat format)
+{
+  switch (format)
+  {
+  case TexelFormat::Unsigned8:
+    return 1.0 / 255.0;
+  case TexelFormat::Unsigned16:
+    return 1.0 / 65535.0;
+  default:
+    return 0x1p-23;
+  }
+}
+
+void SetDefaultColors(vtkColorTransferFunction* color)
+{
+  color->SetColorSpaceToDiverging();
+  color->AddRGBPoint(0.0, 0.23, 0.30, 0.75);
+  color->AddRGBPoint(1.0, 0.71, 0.02, 0.15);
+}
+
+void SetTable(vtkShaderProgram* program, const RaySampling& sampling)
+{
+  constexpr double Margin = 0.02;
+  const double margin = sampling.HasEndsInside ? Margin : 0.0;
+  const auto [low, high] = sampling.CurvatureRange;
+  const double unit = std::pow(sampling.UnitOfLength, GetDimension(sampling.Curvature));
+  const double share = (1.0 - 2.0 * margin) / (high - low);
+  const float toTable[2] = { static_cast<float>(unit * share),
+    static_cast<float>(margin - low * share) };
+  const float ends[2] = { static_cast<float>(margin), static_cast<float>(1.0 - margin) };
+  program->SetUniform2f("in_CurvatureToTable", toTable);
+  program->SetUniform2f("in_CurvatureEnds", ends);
+}
+} // namespace
+
+std::array<double, 2> GetNaturalRange(CurvatureFunction function, double smallestSpacing)
+{
+  constexpr double SpacingsPerRadius = 4.0;
+  const double most =
+    std::pow(SpacingsPerRadius * smallestSpacing, GetDimension(function));
+  const bool isPositive =
+    function == CurvatureFunction::Total || function == CurvatureFunction::Curvedness;
+  return { isPositive ? 0.0 : -most, most };
+}
+
+FunctionTable MakeCurvatureTable(vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity)
+{
+  vtkNew<vtkColorTransferFunction> defaults;
+  if (!color || color->GetSize() == 0)
+  {
+    SetDefaultColors(defaults);
+    color = defaults;
+  }
+  std::vector<float> colors(3 * static_cast<std::size_t>(Entries));
+  std::vector<float> shares(Entries, 1.0F);
+  color->GetTable(color->GetRange()[0], color->GetRange()[1], Entries, colors.data());
+  if (opacity && opacity->GetSize() > 0)
+  {
+    opacity->GetTable(opacity->GetRange()[0], opacity->GetRange()[1], Entries, shares.data());
+  }
+  FunctionTable table = { Entries, 1, {} };
+  for (int i = 0; i < Entries; ++i)
+  {
+    table.Texels.insert(table.Texels.end(), &colors[3 * i], &colors[3 * i] + 3);
+    table.Texels.push_back(shares[i]);
+  }
+  return table;
+}
+
+void SetCurvature(vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet,
+  const RaySampling& sampling, const TexelEncoding& encoding)
+{
+  vtkNew<vtkMatrix4x4> slopes;
+  vtkMatrix4x4::Invert(sampleToDataSet, slopes);
+  slopes->Transpose();
+  SetDirections(program, "in_SlopeToLength", slopes, 1.0 / sampling.UnitOfLength);
+  program->SetUniformf(
+    "in_SteadyGradient", static_cast<float>(2.0 * GetQuantum(encoding.Format)));
+  if (sampling.Curvature != CurvatureFunction::None)
+  {
+    SetTable(program, sampling);
+  }
+  if (sampling.SilhouetteWidth > 0.0)
+  {
+    const float color[3] = { static_cast<float>(sampling.SilhouetteColor[0]),
+      static_cast<float>(sampling.SilhouetteColor[1]),
+      static_cast<float>(sampling.SilhouetteColor[2]) };
+    program->SetUniformf("in_SilhouetteWidth",
+      static_cast<float>(sampling.SilhouetteWidth / sampling.UnitOfLength));
+    program->SetUniform3f("in_SilhouetteColor", color);
+  }
+}
+} // namespace flatblock

@@ -1,0 +1,107 @@
+#include "CurvaturePicture.h"
+
+#include "Volumes.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flatblock::testing
+{
+const char* const CurvatureNames[10] = { "None", "FirstPrincipal", "SecondPrincipal", "Mean",
+  "Gaussian", "Total", "LargestMagnitude", "ShapeIndex", "Curvedness", "LineFeature" };
+
+void ShowField(Scene& scene, const CurvatureField& field, int n)
+{
+  const double spacing = 2.0 / (n - 1);
+  const auto image = MakeVolume({ n, n, n }, VTK_FLOAT,
+    [&](int x, int y, int z)
+    { return field.Value({ x * spacing - 1.0, y * spacing - 1.0, z * spacing - 1.0 }); });
+  image->SetSpacing(spacing, spacing, spacing);
+  image->SetOrigin(-1.0, -1.0, -1.0);
+  scene.SetVolume(image, 0.5 * spacing);
+  scene.SetOpacity({ { -1e3, 1.0 }, { 1e3, 1.0 } });
+  scene.Mapper->SetBlendMode(vtkVolumeMapper::ISOSURFACE_BLEND);
+  scene.Property->GetIsoSurfaceValues()->SetValue(0, 0.0);
+  scene.Mapper->SetBlockSize(17);
+  scene.LookFrom(30.0, 40.0, 1.4);
+}
+
+double GetCurvature(int function, const PrincipalCurvatures& principal)
+{
+  using Mapper = vtkFlatBlockVolumeMapper;
+  const auto [k1, k2] = principal;
+  switch (function)
+  {
+  case Mapper::FIRST_PRINCIPAL:
+    return k1;
+  case Mapper::SECOND_PRINCIPAL:
+    return k2;
+  case Mapper::MEAN:
+    return 0.5 * (k1 + k2);
+  case Mapper::GAUSSIAN:
+    return k1 * k2;
+  case Mapper::TOTAL:
+    return std::hypot(k1, k2);
+  case Mapper::LARGEST_MAGNITUDE:
+    return std::abs(k1) > std::abs(k2) ? k1 : k2;
+  case Mapper::SHAPE_INDEX:
+    return 2.0 / 3.14159265358979323846 * std::atan2(k1 + k2, k1 - k2);
+  case Mapper::CURVEDNESS:
+    return std::sqrt(0.5 * (k1 * k1 + k2 * k2));
+  case Mapper::LINE_FEATURE:
+    return (k1 + k2 < 0.0 ? -1.0 : 1.0) * std::abs(std::abs(k1) - std::abs(k2));
+  default:
+    return 0.0;
+  }
+}
+
+ReferenceFilter GetFilter(Scene& scene)
+{
+  return scene.Mapper->GetReconstructionFilter() == vtkFlatBlockVolumeMapper::LINEAR
+           ? ReferenceFilter::Trilinear
+           : ReferenceFilter::CubicBSpline;
+}
+
+std::vector<CurvaturePixel> FindPixels(Scene& scene, const SampledField& field, double margin)
+{
+  const auto surface = FindSurface(field, GetReferenceView(scene), 0.0);
+  std::vector<CurvaturePixel> pixels;
+  for (std::size_t i = 0; i < surface.size(); ++i)
+  {
+    const std::array<double, 3> point = { surface[i][1], surface[i][2], surface[i][3] };
+    bool isInside = surface[i][0] > 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      isInside = isInside && point[axis] >= margin &&
+                 point[axis] <= field.GetSamples()[axis] - 1 - margin;
+    }
+    if (isInside)
+    {
+      pixels.push_back({ static_cast<int>(i), point });
+    }
+  }
+  return pixels;
+}
+
+void MeasureCurvature(
+  Scene& scene, int function, double most, std::vector<CurvaturePixel>& pixels)
+{
+  vtkNew<vtkColorTransferFunction> gray;
+  gray->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
+  gray->AddRGBPoint(1.0, 1.0, 1.0, 1.0);
+  scene.Mapper->SetCurvatureFunction(function);
+  scene.Mapper->SetCurvatureColor(gray);
+  scene.Mapper->SetCurvatureRange(-most, most);
+  const Picture drawn = DrawFloats(scene);
+  pixels.erase(std::remove_if(pixels.begin(), pixels.end(),
+                 [&drawn](const CurvaturePixel& pixel) { return drawn[pixel.Pixel][3] < 0.999; }),
+    pixels.end());
+  for (CurvaturePixel& pixel : pixels)
+  {
+    pixel.Value = (2.0 * drawn[pixel.Pixel][0] - 1.0) * most;
+  }
+}
+} // namespace flatblock::testing
