@@ -40,7 +40,7 @@ double GetQuantum(TexelFormat format)
   case TexelFormat::Unsigned16:
     return 1.0 / 65535.0;
   default:
-    return 0x1p-23;
+    return 0x1p-22; // and what sums of 64 make of 2^-24
   }
 }
 
@@ -69,8 +69,7 @@ void SetTable(vtkShaderProgram* program, const RaySampling& sampling)
 std::array<double, 2> GetNaturalRange(CurvatureFunction function, double smallestSpacing)
 {
   constexpr double SpacingsPerRadius = 4.0;
-  const double most =
-    std::pow(SpacingsPerRadius * smallestSpacing, GetDimension(function));
+  const double most = std::pow(SpacingsPerRadius * smallestSpacing, GetDimension(function));
   const bool isPositive =
     function == CurvatureFunction::Total || function == CurvatureFunction::Curvedness;
   return { isPositive ? 0.0 : -most, most };
@@ -107,8 +106,7 @@ void SetCurvature(vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet,
   vtkMatrix4x4::Invert(sampleToDataSet, slopes);
   slopes->Transpose();
   SetDirections(program, "in_SlopeToLength", slopes, 1.0 / sampling.UnitOfLength);
-  program->SetUniformf(
-    "in_SteadyGradient", static_cast<float>(2.0 * GetQuantum(encoding.Format)));
+  program->SetUniformf("in_SteadySlope", static_cast<float>(2.0 * GetQuantum(encoding.Format)));
   if (sampling.Curvature != CurvatureFunction::None)
   {
     SetTable(program, sampling);
@@ -118,8 +116,8 @@ void SetCurvature(vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet,
     const float color[3] = { static_cast<float>(sampling.SilhouetteColor[0]),
       static_cast<float>(sampling.SilhouetteColor[1]),
       static_cast<float>(sampling.SilhouetteColor[2]) };
-    program->SetUniformf("in_SilhouetteWidth",
-      static_cast<float>(sampling.SilhouetteWidth / sampling.UnitOfLength));
+    program->SetUniformf(
+      "in_SilhouetteWidth", static_cast<float>(sampling.SilhouetteWidth / sampling.UnitOfLength));
     program->SetUniform3f("in_SilhouetteColor", color);
   }
 }

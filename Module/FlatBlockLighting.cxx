@@ -150,9 +150,8 @@ bool HasPositionalLights(vtkRenderer* renderer)
   return false;
 }
 
-void SetGradientScale(
-  vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, const ComponentTables& tables,
-  const RaySampling& sampling)
+void SetGradientScale(vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet,
+  const ComponentTables& tables, const RaySampling& sampling)
 {
   constexpr double ShareOfRange = 0.25;
   const std::array<double, 3> spacing = GetSpacing(sampleToDataSet);

@@ -22,7 +22,6 @@ bool HasPositionalLights(vtkRenderer* renderer);
 
 /// How gradients, in texels a sample, become magnitudes of a FunctionTable: the uniforms of
 /// Gradient.glsl.
-void SetGradientScale(
-  vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet, const ComponentTables& tables,
-  const RaySampling& sampling);
+void SetGradientScale(vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet,
+  const ComponentTables& tables, const RaySampling& sampling);
 } // namespace flatblock

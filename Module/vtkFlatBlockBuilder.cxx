@@ -1,10 +1,8 @@
 #include "vtkFlatBlockBuilder.h"
 
+#include "Coarsening.h"
+#include "FlatBlockImageBricks.h"
 #include "QuantizedBricks.h"
-
-#include "BrickBorder.h"
-#include "BrickCopy.h"
-#include "BrickFilter.h"
 
 #include "vtkDataArray.h"
 #include "vtkFlatBlockScalars.h"
@@ -19,107 +17,6 @@ vtkStandardNewMacro(vtkFlatBlockBuilder);
 
 namespace
 {
-// What a sample becomes in the atlas: exact where the type fits a texture, float elsewhere.
-template <typename T>
-using TexelOf = std::conditional_t<!std::is_integral_v<T> || (sizeof(T) > 2), float,
-  std::conditional_t<sizeof(T) == 1, std::uint8_t, std::uint16_t>>;
-
-template <typename T>
-flatblock::TexelEncoding MakeEncoding(const flatblock::ValueRange& range)
-{
-  using Texel = TexelOf<T>;
-  if constexpr (std::is_same_v<Texel, float>)
-  {
-    const double span = range.Highest - range.Lowest;
-    return { flatblock::TexelFormat::Float32, range.Lowest, span > 0.0 ? span : 1.0 };
-  }
-  else
-  {
-    const auto format =
-      sizeof(T) == 1 ? flatblock::TexelFormat::Unsigned8 : flatblock::TexelFormat::Unsigned16;
-    return { format, range.Lowest, static_cast<double>(std::numeric_limits<Texel>::max()) };
-  }
-}
-
-template <typename T>
-class ImageBrickSource : public flatblock::BrickSource
-{
-public:
-  ImageBrickSource(const flatblock::BlockGrid& grid, const T* samples,
-    const flatblock::TexelEncoding& encoding, flatblock::LevelFilter filter)
-    : Grid(grid), Samples(samples), Encoding(encoding), Filter(filter)
-  {
-  }
-
-  const flatblock::BlockGrid& GetGrid() const override { return this->Grid; }
-  const flatblock::TexelEncoding& GetEncoding() const override { return this->Encoding; }
-  flatblock::Continuity GetContinuity() const override
-  {
-    return this->Filter == flatblock::LevelFilter::Subsample ? flatblock::Continuity::Nested
-                                                             : flatblock::Continuity::Filtered;
-  }
-
-  void ReadBrick(std::int64_t block, int level, const flatblock::BlockBorder& border,
-    void* texels) const override
-  {
-    auto* brick = static_cast<Texel*>(texels);
-    flatblock::BrickBorder<Texel> brickBorder(
-      brick, this->Grid.GetBrickSide(level), this->Grid.GetApron());
-    if (this->Filter == flatblock::LevelFilter::Subsample)
-    {
-      flatblock::CopyBrick(this->Samples, this->Grid.GetSamples(), this->GetFirst(block, level),
-        this->Grid.GetTexelSide(level), 1 << level, this->GetEncoder(), brick);
-    }
-    else
-    {
-      flatblock::BrickFilter<T, Texel> filter(
-        this->Samples, this->Grid.GetSamples(), this->GetEncoder());
-      filter.Read(this->GetFirst(block, level), this->Grid.GetTexelSide(level), 1 << level, brick);
-      this->CopyCoarserBorder(block, level, border, filter, brickBorder);
-    }
-    brickBorder.Coarsen(border);
-  }
-
-private:
-  using Texel = TexelOf<T>;
-
-  flatblock::TexelEncoder<T, Texel> GetEncoder() const
-  {
-    return flatblock::TexelEncoder<T, Texel>(this->Encoding.Offset, this->Encoding.Scale);
-  }
-
-  // The first texel of its apron, as a sample of the volume.
-  flatblock::Index3 GetFirst(std::int64_t block, int level) const
-  {
-    flatblock::Index3 first = this->Grid.GetFirstSample(block);
-    std::for_each(first.begin(), first.end(),
-      [before = this->Grid.GetApron() << level](int& sample) { sample -= before; });
-    return first;
-  }
-
-  void CopyCoarserBorder(std::int64_t block, int level, const flatblock::BlockBorder& border,
-    flatblock::BrickFilter<T, Texel>& filter, flatblock::BrickBorder<Texel>& brick) const
-  {
-    std::vector<Texel> coarse;
-    for (int coarser = 1; level + coarser < this->Grid.GetNumberOfLevels(); ++coarser)
-    {
-      if (std::find(border.begin(), border.end(), coarser) != border.end())
-      {
-        const int coarseSide = this->Grid.GetBrickSide(level + coarser);
-        coarse.resize(static_cast<std::size_t>(coarseSide) * coarseSide * coarseSide);
-        filter.Read(
-          this->Grid.GetFirstSample(block), coarseSide, 1 << (level + coarser), coarse.data());
-        brick.CopyCoarser(border, coarser, coarse.data());
-      }
-    }
-  }
-
-  flatblock::BlockGrid Grid;
-  const T* Samples;
-  flatblock::TexelEncoding Encoding;
-  flatblock::LevelFilter Filter;
-};
-
 // Looks only where the ranges say that there are any.
 template <typename T>
 vtkTypeInt64 CountNonFinite([[maybe_unused]] const T* samples, [[maybe_unused]] vtkIdType count,
@@ -155,13 +52,18 @@ bool vtkFlatBlockBuilder::Update(vtkFlatBlockScalars* scalars, int blockSize, co
   {
     this->BuildBlocks(scalars, blockSize);
   }
+  const bool areNewRanges = areNewBlocks || !this->BuiltBricks.HasRangesOf(bricks);
   this->BuiltBricks = bricks;
+  if (areNewRanges)
+  {
+    this->WidenShownRanges();
+  }
   switch (this->Scalars->GetDataType())
   {
     vtkTemplateMacro(
       this->BuildSource(static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0))));
   }
-  if (bricks.Bits > 0 && this->NonFiniteSamples == 0)
+  if (bricks.Bits > 0 && this->NonFiniteSamples == 0 && !bricks.AreCoefficients)
   {
     this->Quantize();
   }
@@ -212,21 +114,57 @@ void vtkFlatBlockBuilder::BuildRanges(const T* samples)
     CountNonFinite(samples, this->Scalars->GetNumberOfValues(), this->BlockRanges);
 }
 
+double vtkFlatBlockBuilder::GetOvershoot() const
+{
+  // A cubic spline that interpolates values within [-1, 1] stays within [-1.55, 1.55] along a line,
+  // so within the cube of that in space.
+  constexpr double Most = 1.55 * 1.55 * 1.55;
+  return this->BuiltBricks.MayInterpolate && this->NonFiniteSamples == 0 ? 0.5 * (Most - 1.0) : 0.0;
+}
+
+void vtkFlatBlockBuilder::WidenShownRanges()
+{
+  this->ShownRanges = this->BlockRanges;
+  if (this->BuiltBricks.MayBeSpline)
+  {
+    flatblock::Coarsen(this->Grid.GetBlocks(), { 1, 1 }, this->ShownRanges,
+      [](const flatblock::ValueRange& a, const flatblock::ValueRange& b) -> flatblock::ValueRange
+      {
+        return { std::min(a.Lowest, b.Lowest), std::max(a.Highest, b.Highest),
+          a.HasHoles || b.HasHoles };
+      });
+    for (flatblock::ValueRange& range : this->ShownRanges)
+    {
+      const double beyond =
+        range.IsEmpty() ? 0.0 : this->GetOvershoot() * (range.Highest - range.Lowest);
+      range.Lowest -= beyond;
+      range.Highest += beyond;
+    }
+  }
+  this->Modified();
+}
+
 template <typename T>
 void vtkFlatBlockBuilder::BuildSource(const T* samples)
 {
   const flatblock::BlockGrid grid(
     this->Grid.GetSamples(), this->Grid.GetSamplesPerBlock(), this->BuiltBricks.Apron);
-  this->Source = std::make_unique<ImageBrickSource<T>>(
-    grid, samples, MakeEncoding<T>(this->Range), this->BuiltBricks.Filter);
+  if (this->BuiltBricks.AreCoefficients && this->NonFiniteSamples == 0)
+  {
+    this->Source = std::make_unique<flatblock::CoefficientBricks<T>>(
+      grid, samples, this->Range, this->BuiltBricks.Filter);
+    return;
+  }
+  this->Source = std::make_unique<flatblock::ImageBricks<T>>(
+    grid, samples, flatblock::MakeEncoding<T>(this->Range), this->BuiltBricks.Filter);
 }
 
 // What a filter and an apron take from around a block is of its neighbours' ranges.
 std::vector<flatblock::TexelRange> vtkFlatBlockBuilder::GetTexelRanges() const
 {
   const flatblock::TexelEncoding& encoding = this->Source->GetEncoding();
-  std::vector<flatblock::TexelRange> ranges(this->BlockRanges.size());
-  std::transform(this->BlockRanges.begin(), this->BlockRanges.end(), ranges.begin(),
+  std::vector<flatblock::TexelRange> ranges(this->ShownRanges.size());
+  std::transform(this->ShownRanges.begin(), this->ShownRanges.end(), ranges.begin(),
     [&encoding](const flatblock::ValueRange& range) -> flatblock::TexelRange
     {
       return { static_cast<float>((range.Lowest - encoding.Offset) / encoding.Scale),

@@ -36,17 +36,26 @@ public:
   {
     flatblock::LevelFilter Filter = flatblock::LevelFilter::Subsample;
     int Bits = 0; ///< of a texel on its brick's scale; 0, and if samples aren't finite: as they are
-    int Apron = 0; ///< samples around the border
+    int Apron = 0;                ///< samples around the border
+    bool MayBeSpline = false;     ///< values between samples reach for those around,
+    bool MayInterpolate = false;  ///< and overshoot them
+    bool AreCoefficients = false; ///< of the spline that interpolates; if all samples are finite
 
     bool operator==(const Bricks& other) const
     {
-      return this->Filter == other.Filter && this->Bits == other.Bits && this->Apron == other.Apron;
+      return this->Filter == other.Filter && this->Bits == other.Bits &&
+             this->Apron == other.Apron && this->HasRangesOf(other) &&
+             this->AreCoefficients == other.AreCoefficients;
+    }
+    bool HasRangesOf(const Bricks& other) const
+    {
+      return this->MayBeSpline == other.MayBeSpline && this->MayInterpolate == other.MayInterpolate;
     }
   };
 
   /**
    * Cuts the image's scalars, one component and one tuple a point, into blocks. Other bricks of the
-   * same blocks leave the time of modification.
+   * same blocks, with the same ranges, leave the time of modification.
    * @return whether anything was built anew
    */
   bool Update(vtkFlatBlockScalars* scalars, int blockSize, const Bricks& bricks);
@@ -67,6 +76,9 @@ public:
   }
   /// Of finite samples.
   const std::vector<flatblock::ValueRange>& GetBlockRanges() const { return this->BlockRanges; }
+  /// Of what is between them, too.
+  const std::vector<flatblock::ValueRange>& GetShownRanges() const { return this->ShownRanges; }
+  const Bricks& GetBricks() const { return this->BuiltBricks; }
 
   /**
    * Range of all finite samples; [0, 0] if there is none.
@@ -78,6 +90,11 @@ public:
    * and kept until another size is.
    */
   const std::vector<flatblock::CellRange>& GetCellRanges(int cells);
+
+  /**
+   * How far beyond the samples of a range, as a share of it, values between them may lie.
+   */
+  double GetOvershoot() const;
   const flatblock::CellScale& GetCellScale() const { return this->CellScale; }
 
   /**
@@ -111,6 +128,7 @@ private:
   bool AreBlocksCurrent(vtkFlatBlockScalars* scalars, int blockSize) const;
   void BuildBlocks(vtkFlatBlockScalars* scalars, int blockSize);
 
+  void WidenShownRanges();
   template <typename T>
   void BuildRanges(const T* samples);
 
@@ -127,6 +145,7 @@ private:
   std::unique_ptr<flatblock::BrickSource> Source;
   std::unique_ptr<flatblock::BrickSource> Quantized; // of it
   std::vector<flatblock::ValueRange> BlockRanges;
+  std::vector<flatblock::ValueRange> ShownRanges;
   flatblock::ValueRange Range;
   std::vector<flatblock::CellRange> CellRanges;
   flatblock::CellScale CellScale;

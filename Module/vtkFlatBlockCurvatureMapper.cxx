@@ -94,6 +94,7 @@ void vtkFlatBlockCurvatureMapper::PrintSelf(ostream& os, vtkIndent indent)
   };
   os << indent << "ReconstructionFilter: " << filters[this->ReconstructionFilter - SAME_FILTER]
      << "\n";
+  os << indent << "InterpolatingBSpline: " << this->InterpolatingBSpline << "\n";
   os << indent
      << "StillReconstructionFilter: " << filters[this->StillReconstructionFilter - SAME_FILTER]
      << "\n";

@@ -3,10 +3,10 @@
  * @brief   abstract superclass of a volume mapper: derivatives, and what curvature shows
  *
  * Curvature is that of the surfaces of equal value, in the data set's unit of length, whatever the
- * spacing and the direction; normals point to where values fall, so that a dense ball is convex, and
- * convex is positive. Derivatives are computed where a ray is sampled, and only there where something
- * is seen. In composites and of isosurfaces, of one component, which may have a mask; other scenes
- * ignore it with a warning.
+ * spacing and the direction; normals point to where values fall, so that a dense ball is convex,
+ * and convex is positive. Derivatives are computed where a ray is sampled, and only there where
+ * something is seen. In composites and of isosurfaces, of one component, which may have a mask;
+ * other scenes ignore it with a warning.
  *
  * @sa vtkFlatBlockVolumeMapper
  */
@@ -39,8 +39,8 @@ public:
   /**
    * What is between samples, where the property's interpolation is linear. Linear (default):
    * trilinear values, and central differences. CubicBSpline: a uniform tricubic B-spline, smooth up
-   * to its second derivatives, which are exact; it takes 8 fetches for a value where Linear takes 1,
-   * and a sample around each brick. Classification PreInterpolation, normals from opacity and
+   * to its second derivatives, which are exact; it takes 8 fetches for a value where Linear takes
+   * 1, and a sample around each brick. Classification PreInterpolation, normals from opacity and
    * gradients of several components stay with Linear.
    */
   vtkSetClampMacro(ReconstructionFilter, int, LINEAR, CUBIC_B_SPLINE);
@@ -51,9 +51,21 @@ public:
 
   ///@{
   /**
-   * The filter of stills, those frames whose window's desired update rate is below 1: Same (default)
-   * as ReconstructionFilter, or another: then pictures are quick while one moves, and good when one
-   * stops.
+   * Whether the B-spline goes through the samples (Sigg and Hadwiger's prefilter), or has them for
+   * its coefficients (default: off), which smooths. Bricks then hold coefficients, in floats,
+   * whatever AtlasPrecision says, and are uploaded again where the filter changes between moving
+   * and still pictures. For one component without a mask whose samples are all finite.
+   */
+  vtkSetMacro(InterpolatingBSpline, bool);
+  vtkGetMacro(InterpolatingBSpline, bool);
+  vtkBooleanMacro(InterpolatingBSpline, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The filter of stills, those frames whose window's desired update rate is below 1: Same
+   * (default) as ReconstructionFilter, or another: then pictures are quick while one moves, and
+   * good when one stops.
    */
   vtkSetClampMacro(StillReconstructionFilter, int, SAME_FILTER, CUBIC_B_SPLINE);
   vtkGetMacro(StillReconstructionFilter, int);
@@ -85,10 +97,11 @@ public:
    * place of the property's colours; opacity stays that of the property. None (default);
    * FirstPrincipal k1; SecondPrincipal k2; Mean (k1 + k2)/2; Gaussian k1 k2, in 1/length^2; Total
    * sqrt(k1^2 + k2^2); LargestMagnitude that of k1 and k2 with the larger magnitude, with its sign;
-   * ShapeIndex 2/pi atan((k1 + k2)/(k1 - k2)) from -1 (cup) by -0.5 (rut), 0 (saddle) and 0.5 (ridge)
-   * to 1 (cap); Curvedness sqrt((k1^2 + k2^2)/2) (both of Koenderink and van Doorn, 1992); LineFeature
-   * |k1| - |k2| where the mean is positive, else that too, negative where the surface is a groove: 0
-   * on planes, balls and saddles, 1/radius on a tube. Where the gradient vanishes all are 0.
+   * ShapeIndex 2/pi atan((k1 + k2)/(k1 - k2)) from -1 (cup) by -0.5 (rut), 0 (saddle) and 0.5
+   * (ridge) to 1 (cap); Curvedness sqrt((k1^2 + k2^2)/2) (both of Koenderink and van Doorn, 1992);
+   * LineFeature |k1| - |k2| where the mean is positive, else that too, negative where the surface
+   * is a groove: 0 on planes, balls and saddles, 1/radius on a tube. Where the gradient vanishes
+   * all are 0.
    */
   vtkSetClampMacro(CurvatureFunction, int, NO_CURVATURE, LINE_FEATURE);
   vtkGetMacro(CurvatureFunction, int);
@@ -107,8 +120,8 @@ public:
   ///@{
   /**
    * Colours over the function's value. From their first point to the last they are stretched over
-   * CurvatureRange. Default: none; then blue where the surface is concave, gray where it is flat, red
-   * where it is convex.
+   * CurvatureRange. Default: none; then blue where the surface is concave, gray where it is flat,
+   * red where it is convex.
    */
   virtual void SetCurvatureColor(vtkColorTransferFunction* color);
   virtual vtkColorTransferFunction* GetCurvatureColor();
@@ -128,9 +141,9 @@ public:
    * Values of the function that CurvatureColor and CurvatureOpacity go from and to: as their points
    * are, where it is the range of these. Default: 0 and 0; wherever the first is not below the
    * second the range is automatic: what samples can tell, up to 1/4 of the inverse of the smallest
-   * spacing (its square for Gaussian, from -1 to 1 for ShapeIndex), on both sides of 0 for functions
-   * that have a sign. That then takes 2 % to 98 % of the functions, and values beyond it count as its
-   * ends.
+   * spacing (its square for Gaussian, from -1 to 1 for ShapeIndex), on both sides of 0 for
+   * functions that have a sign. That then takes 2 % to 98 % of the functions, and values beyond it
+   * count as its ends.
    */
   vtkSetVector2Macro(CurvatureRange, double);
   vtkGetVector2Macro(CurvatureRange, double);
@@ -186,6 +199,7 @@ protected:
   ~vtkFlatBlockCurvatureMapper() override;
 
   int ReconstructionFilter = LINEAR;
+  bool InterpolatingBSpline = false;
   int StillReconstructionFilter = SAME_FILTER;
   int CurvatureFunction = NO_CURVATURE;
   vtkSmartPointer<vtkColorTransferFunction> CurvatureColor;

@@ -37,6 +37,26 @@ std::vector<flatblock::SkipMap::Kind> Classify(const std::vector<flatblock::Cell
   return kinds;
 }
 
+// Of what is between samples that overshoots the ranges of those around.
+std::vector<flatblock::CellRange> Widen(const flatblock::Index3& cubes,
+  const flatblock::Coarsening& coarsening, double overshoot,
+  std::vector<flatblock::CellRange> ranges)
+{
+  flatblock::Coarsen(cubes, coarsening, ranges,
+    [](const flatblock::CellRange& a, const flatblock::CellRange& b) -> flatblock::CellRange {
+      return { std::min(a.Lowest, b.Lowest), std::max(a.Highest, b.Highest) };
+    });
+  constexpr double Last = 65535.0;
+  for (flatblock::CellRange& range : ranges)
+  {
+    const double beyond =
+      range.IsEmpty() ? 0.0 : std::ceil(overshoot * (range.Highest - range.Lowest));
+    range.Lowest = static_cast<std::uint16_t>(std::max(range.Lowest - beyond, 0.0));
+    range.Highest = static_cast<std::uint16_t>(std::min(range.Highest + beyond, Last));
+  }
+  return ranges;
+}
+
 // What is transparent in one may be seen in another.
 void Combine(
   std::vector<flatblock::SkipMap::Kind>&& kinds, std::vector<flatblock::SkipMap::Kind>& all)
@@ -89,15 +109,18 @@ void vtkFlatBlockSkipMap::Update(const std::vector<Part>& parts,
   vtkFlatBlockBuilder* builder = parts.front().Builder;
   const int cells = settings.Cells;
   const flatblock::Coarsening coarsening = { std::max(1, (1 << settings.Coarsest) / cells),
-    settings.IsFiltered && settings.Coarsest > 0 };
+    (settings.IsFiltered && settings.Coarsest > 0 ? 1 : 0) + (settings.IsSpline ? 1 : 0) };
   const flatblock::BlockGrid& blocks = builder->GetSource().GetGrid();
   const flatblock::CubeGrid grid = { CountCubes(blocks, cells), blocks.GetBlocks(),
     blocks.GetCellsPerBlock() / cells };
   std::vector<flatblock::SkipMap::Kind> kinds;
   for (const Part& part : parts)
   {
-    Combine(Classify(part.Builder->GetCellRanges(cells), part.Builder->GetCellScale(),
-              part.Function->GetDecisiveValues()),
+    const double overshoot = settings.IsSpline ? part.Builder->GetOvershoot() : 0.0;
+    Combine(Classify(overshoot > 0.0 ? Widen(grid.Cubes, coarsening, overshoot,
+                                         part.Builder->GetCellRanges(cells))
+                                     : part.Builder->GetCellRanges(cells),
+              part.Builder->GetCellScale(), part.Function->GetDecisiveValues()),
       kinds);
   }
   if (!settings.LeapsMatter)

@@ -35,14 +35,15 @@ public:
     int Cells = 4;           ///< of a cube's side, as above
     int Coarsest = 0;        ///< level of detail that a brick has
     bool IsFiltered = false; ///< levels are means, not samples at a stride
+    bool IsSpline = false;   ///< values between samples reach for those around
     bool LeapsMatter = true; ///< what is the same all over a cube is one leap
     double Tolerance = 0.0;  ///< values that are no further apart count as the same
 
     bool operator==(const Settings& other) const
     {
       return this->Cells == other.Cells && this->Coarsest == other.Coarsest &&
-             this->IsFiltered == other.IsFiltered && this->LeapsMatter == other.LeapsMatter &&
-             this->Tolerance == other.Tolerance;
+             this->IsFiltered == other.IsFiltered && this->IsSpline == other.IsSpline &&
+             this->LeapsMatter == other.LeapsMatter && this->Tolerance == other.Tolerance;
     }
   };
 

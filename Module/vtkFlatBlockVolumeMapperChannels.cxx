@@ -152,7 +152,7 @@ bool vtkFlatBlockVolumeMapper::vtkInternals::IsBlockVisible(std::size_t block) c
 {
   const auto shows = [block](const flatblock::Channel& channel)
   {
-    const flatblock::ValueRange& range = channel.Builder->GetBlockRanges()[block];
+    const flatblock::ValueRange& range = channel.Builder->GetShownRanges()[block];
     return !channel.TransferFunction->GetDecisiveValues().IsTransparent(
       range.Lowest, range.Highest);
   };

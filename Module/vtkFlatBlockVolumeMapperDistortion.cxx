@@ -40,7 +40,7 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateTransmittance(const flatblock
   if (isNewTable)
   {
     const double unit = this->Property->GetScalarOpacityUnitDistance();
-    const auto& ranges = this->Builder->GetBlockRanges();
+    const auto& ranges = this->Builder->GetShownRanges();
     this->LeastExtinction.resize(ranges.size());
     std::transform(ranges.begin(), ranges.end(), this->LeastExtinction.begin(),
       [&](const flatblock::ValueRange& range)

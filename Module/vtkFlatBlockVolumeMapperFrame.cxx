@@ -55,6 +55,7 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   this->UpdateAtlas(renderer, volume);
   vtkFlatBlockSkipMap::Settings settings;
   settings.IsFiltered = this->LevelFilter == TENT;
+  settings.IsSpline = in.Sampling.MayBeSpline;
   const bool isComposite = in.Sampling.Blending.IsComposite();
   settings.LeapsMatter =
     this->HomogeneousLeaps && !in.Sampling.NeedsGradients() && isComposite && in.IsPlain();
@@ -143,13 +144,18 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
     this->LevelFilter == TENT ? flatblock::LevelFilter::Tent : flatblock::LevelFilter::Subsample;
   bricks.Bits = in.IsPlain() ? this->AtlasPrecision : NATIVE;
   bricks.Apron = in.Sampling.GetApron();
+  bricks.MayBeSpline = in.Sampling.MayBeSpline;
+  bricks.MayInterpolate = bricks.MayBeSpline && this->InterpolatingBSpline && in.IsPlain();
+  bricks.AreCoefficients =
+    bricks.MayInterpolate && in.Sampling.Filter == flatblock::ReconstructionFilter::CubicBSpline;
   if (in.UpdateBuilders(this->BlockSize, bricks))
   {
     in.Residency.Clear();
     in.LastAtlasBytes = 0;
     in.CardLimit = {};
     in.AreBrickRangesCurrent = false;
-    in.RayCaster->GetLookups().SetBrickRanges(in.Window, {}); // before their place is given to others
+    in.RayCaster->GetLookups().SetBrickRanges(
+      in.Window, {}); // before their place is given to others
   }
 }
 
@@ -169,9 +175,8 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer
   // Rounded up, so that not each step of a window that is being resized changes the atlas.
   return vtkOpenGLFlatBlockAtlas::GetIndexBytes(this->GetNumberOfBlocks()) +
          flatblock::RoundUp(vtkOpenGLFlatBlockSceneDepth::GetBytes(size[0], size[1])) +
-         flatblock::RayLookups::GetTableBytes(in.GetTables(), in.Sampling) +
-         in.GetSkipMapBytes() + in.GetBrickRangeBytes() + in.GetGradientTableBytes() +
-         in.GetCurvatureTableBytes() +
+         flatblock::RayLookups::GetTableBytes(in.GetTables(), in.Sampling) + in.GetSkipMapBytes() +
+         in.GetBrickRangeBytes() + in.GetGradientTableBytes() + in.GetCurvatureTableBytes() +
          this->GetImageBytes(renderer);
 }
 
@@ -266,7 +271,8 @@ void vtkFlatBlockVolumeMapper::UpdateAtlas(vtkRenderer* renderer, vtkVolume* vol
   {
     this->ShrinkAtlas();
   }
-  if (!in.RayCaster->GetLookups().HasTransferTable(in.Sampling) || in.GetFunctionTime() > in.TransferTextureTime)
+  if (!in.RayCaster->GetLookups().HasTransferTable(in.Sampling) ||
+      in.GetFunctionTime() > in.TransferTextureTime)
   {
     flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
     if (!in.RayCaster->GetLookups().SetTransferTable(in.Window, tables, in.Sampling))
@@ -289,9 +295,9 @@ bool vtkFlatBlockVolumeMapper::TryAtlas(vtkRenderer* renderer, vtkVolume* volume
     this->RefinementFraction * static_cast<double>(this->GetNumberOfBlocks()));
   budget.Texels =
     this->UploadBytesPerFrame / static_cast<vtkTypeInt64>(BytesPerTexel(source.GetEncoding()));
-  const flatblock::FramePlan frame = in.PlanFrame(
-    flatblock::IsInteractive(renderer) ? &budget : nullptr,
-    this->InterblockContinuity && in.Sampling.MayCoarsenBorders());
+  const flatblock::FramePlan frame =
+    in.PlanFrame(flatblock::IsInteractive(renderer) ? &budget : nullptr,
+      this->InterblockContinuity && in.Sampling.MayCoarsenBorders());
 
   flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
   if (!in.Atlas->Execute(in.Window, frame, in.Residency, source))

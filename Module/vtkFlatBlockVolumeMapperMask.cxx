@@ -79,6 +79,8 @@ bool vtkFlatBlockVolumeMapper::vtkInternals::UpdateMask(
   }
   vtkFlatBlockBuilder::Bricks subsampled = bricks;
   subsampled.Filter = flatblock::LevelFilter::Subsample;
+  subsampled.MayBeSpline = false;
+  subsampled.AreCoefficients = false;
   this->Mask->Scalars->UpdateMask(this->Input, numbers);
   return this->Mask->Builder->Update(this->Mask->Scalars, blockSize, subsampled);
 }
@@ -86,7 +88,7 @@ bool vtkFlatBlockVolumeMapper::vtkInternals::UpdateMask(
 // Whether a value of the block is seen by the functions of a label that it has.
 bool vtkFlatBlockVolumeMapper::vtkInternals::IsMaskedBlockVisible(std::size_t block) const
 {
-  const flatblock::ValueRange& values = this->Builder->GetBlockRanges()[block];
+  const flatblock::ValueRange& values = this->Builder->GetShownRanges()[block];
   const flatblock::ValueRange& labels = this->Mask->Builder->GetBlockRanges()[block];
   const auto shows = [&values](vtkFlatBlockTransferFunction* function)
   { return !function->GetDecisiveValues().IsTransparent(values.Lowest, values.Highest); };

@@ -141,23 +141,23 @@ void vtkFlatBlockVolumeMapper::AdjustDerivatives(vtkRenderer* renderer, vtkVolum
   const int stillFilter = this->StillReconstructionFilter == SAME_FILTER
                             ? this->ReconstructionFilter
                             : this->StillReconstructionFilter;
-  const bool isLinear =
-    volume->GetProperty()->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
+  const bool isLinear = volume->GetProperty()->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
   const int filter = isStill ? stillFilter : this->ReconstructionFilter;
   sampling.Filter = isLinear ? static_cast<flatblock::ReconstructionFilter>(filter)
                              : flatblock::ReconstructionFilter::Linear;
-  sampling.MayBeSpline = isLinear && (stillFilter == CUBIC_B_SPLINE ||
-                                       this->ReconstructionFilter == CUBIC_B_SPLINE);
-  const bool mayBeCurved = (sampling.Components == 1 || !sampling.HasManyValues()) &&
+  sampling.MayBeSpline =
+    isLinear && (stillFilter == CUBIC_B_SPLINE || this->ReconstructionFilter == CUBIC_B_SPLINE);
+  const bool mayBeCurved =
+    (sampling.Components == 1 || !sampling.HasManyValues()) &&
     (sampling.Blending.IsComposite() || sampling.Blending.Mode == flatblock::BlendMode::Isosurface);
   sampling.Curvature = mayBeCurved
                          ? static_cast<flatblock::CurvatureFunction>(this->CurvatureFunction)
                          : flatblock::CurvatureFunction::None;
   sampling.HasEndsInside = !(this->CurvatureRange[0] < this->CurvatureRange[1]);
-  sampling.CurvatureRange = sampling.HasEndsInside
-                              ? flatblock::GetNaturalRange(sampling.Curvature, sampling.UnitOfLength)
-                              : std::array<double, 2>{ this->CurvatureRange[0],
-                                  this->CurvatureRange[1] };
+  sampling.CurvatureRange =
+    sampling.HasEndsInside
+      ? flatblock::GetNaturalRange(sampling.Curvature, sampling.UnitOfLength)
+      : std::array<double, 2>{ this->CurvatureRange[0], this->CurvatureRange[1] };
   std::copy_n(sampling.CurvatureRange.begin(), 2, this->UsedCurvatureRange);
   sampling.HasCurvatureOpacity =
     sampling.Curvature != flatblock::CurvatureFunction::None && this->GetCurvatureOpacity();

@@ -56,10 +56,12 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateSkipMap(vtkFlatBlockSkipMap::
     }
     this->SkipMap->Update(parts, this->VisibleBlocks, this->VisibleBlocksTime.GetMTime(), settings);
   }
-  if (!this->RayCaster->GetLookups().HasSkipMap() || this->SkipMap->GetMTime() > this->SkipTextureTime)
+  if (!this->RayCaster->GetLookups().HasSkipMap() ||
+      this->SkipMap->GetMTime() > this->SkipTextureTime)
   {
     flatblock::StageTimer timer(this->Statistics.UploadMilliseconds);
-    if (!this->RayCaster->GetLookups().SetSkipMap(this->Window, this->SkipMap->Get(), this->Sampling))
+    if (!this->RayCaster->GetLookups().SetSkipMap(
+          this->Window, this->SkipMap->Get(), this->Sampling))
     {
       this->Sampling.CellsPerCube = 0;
       return;

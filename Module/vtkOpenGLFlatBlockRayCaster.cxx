@@ -100,9 +100,8 @@ bool vtkOpenGLFlatBlockRayCaster::Draw(vtkRenderer* renderer, const Scene& scene
 bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  vtkShaderProgram* program =
-    flatblock::ReadyRayCaster(window, scene.Sampling, scene.Clipping, scene.HasHoles,
-      this->Lookups.NeedsLongSums(scene.Sampling));
+  vtkShaderProgram* program = flatblock::ReadyRayCaster(window, scene.Sampling, scene.Clipping,
+    scene.HasHoles, this->Lookups.NeedsLongSums(scene.Sampling));
   if (!program)
   {
     return false;
@@ -138,8 +137,8 @@ bool vtkOpenGLFlatBlockRayCaster::Cast(vtkRenderer* renderer, const Scene& scene
   }
   if (scene.Sampling.IsCurved())
   {
-    flatblock::SetCurvature(program, scene.SampleToDataSet, scene.Sampling,
-      scene.Tables.front().Encoding);
+    flatblock::SetCurvature(
+      program, scene.SampleToDataSet, scene.Sampling, scene.Tables.front().Encoding);
   }
   if (scene.Sampling.IsShaded)
   {

@@ -9,32 +9,34 @@ vec4 weightsOfValue(float a)
     6.0;
 }
 
+// Where the texture unit finds the sums of the first two and of the last two texels, in texels from the
+// first one of the cell; and the weight of the first sum.
+vec3 placesOfPairs(float a)
+{
+  vec4 weights = weightsOfValue(a);
+  float low = weights.x + weights.y;
+  return vec3(weights.y / low - 1.0, weights.w / (weights.z + weights.w) + 1.0, low);
+}
+
+Texel rowOf(Brick brick, vec3 x, float y, float z)
+{
+  return mix(texelAt(brick, vec3(x.y, y, z)), texelAt(brick, vec3(x.x, y, z)), x.z);
+}
+
 // From 8 fetches, which the texture unit interpolates between two texels along each axis.
 Texel texelOf(Brick brick, vec3 position)
 {
   vec3 share;
   vec3 first = brick.origin + vec3(cellOf(brick, position, share)) + 0.5;
-  vec3 low;
-  vec3 high;
-  vec3 lowShare;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    vec4 weights = weightsOfValue(share[axis]);
-    lowShare[axis] = weights.x + weights.y;
-    low[axis] = weights.y / lowShare[axis] - 1.0;
-    high[axis] = weights.w / (weights.z + weights.w) + 1.0;
-  }
-  low = (first + low) * in_AtlasTexel;
-  high = (first + high) * in_AtlasTexel;
-  Texel rows[4];
-  for (int row = 0; row < 4; ++row)
-  {
-    float y = (row & 1) == 0 ? low.y : high.y;
-    float z = row < 2 ? low.z : high.z;
-    rows[row] =
-      mix(texelAt(brick, vec3(high.x, y, z)), texelAt(brick, vec3(low.x, y, z)), lowShare.x);
-  }
-  return mix(mix(rows[3], rows[2], lowShare.y), mix(rows[1], rows[0], lowShare.y), lowShare.z);
+  vec3 x = placesOfPairs(share.x);
+  vec3 y = placesOfPairs(share.y);
+  vec3 z = placesOfPairs(share.z);
+  x.xy = (first.x + x.xy) * in_AtlasTexel.x;
+  y.xy = (first.y + y.xy) * in_AtlasTexel.y;
+  z.xy = (first.z + z.xy) * in_AtlasTexel.z;
+  Texel low = mix(rowOf(brick, x, y.y, z.x), rowOf(brick, x, y.x, z.x), y.z);
+  Texel high = mix(rowOf(brick, x, y.y, z.y), rowOf(brick, x, y.x, z.y), y.z);
+  return mix(high, low, z.z);
 }
 
 #ifdef FLATBLOCK_DERIVATIVES

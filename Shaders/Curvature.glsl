@@ -3,7 +3,7 @@
 // spacing.
 
 uniform mat3 in_SlopeToLength;      // gradients from samples to lengths
-uniform float in_SteadyGradient;    // below it a gradient may be the rounding of the texels
+uniform float in_SteadySlope;       // and bend, below which both may be rounding of the texels
 #ifdef FLATBLOCK_CURVATURE
 uniform sampler2D in_CurvatureTable; // colour, and share of the opacity
 uniform vec2 in_CurvatureToTable;   // scale and offset to positions from 0 to 1
@@ -28,9 +28,29 @@ struct Curvature
   float second;   // and the smaller one
 };
 
-// Mean and Gaussian curvature of an implicit surface in closed form (Goldman 2005, eq. 4.1 and 4.2,
-// for normals against the gradient), and what follows from them. Where the gradient vanishes they
-// fade to 0.
+// From 0, for what rounding alone may have made of nothing, to 1.
+float trustIn(float slope)
+{
+  float noise = in_SteadySlope * in_SteadySlope;
+  return slope * slope * slope * slope / (slope * slope * slope * slope + noise * noise);
+}
+
+// Two directions in the plane across a normal (Duff et al., Building an Orthonormal Basis, Revisited,
+// Journal of Computer Graphics Techniques 2017).
+mat2x3 acrossNormal(vec3 n)
+{
+  float side = n.z < 0.0 ? -1.0 : 1.0;
+  float a = -1.0 / (side + n.z);
+  float b = n.x * n.y * a;
+  return mat2x3(vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x),
+    vec3(b, side + n.y * n.y * a, -n.y));
+}
+
+// Mean and Gaussian curvature are half of the trace, and the determinant, of the shape operator, the
+// Hessian on the tangent plane over the slope (Kindlmann, Whitaker, Tasdizen and Moeller,
+// Curvature-Based Transfer Functions, 2003, sec. 3); principal ones are their mean and what they are
+// apart. That is mean^2 - Gauss under a root, but as a sum of squares: so it is never negative, and
+// balls are round to all digits. Where the gradient vanishes all fade to 0.
 Curvature curvatureOf(Derivatives d)
 {
   Curvature c;
@@ -40,20 +60,16 @@ Curvature curvatureOf(Derivatives d)
   c.hessian = in_SlopeToLength * ofSamples * transpose(in_SlopeToLength);
   c.slope = length(gradient);
   c.normal = -gradient / max(c.slope, 1e-30);
-  float squared = dot(gradient, gradient);
-  c.trust = d.isWhole ? squared / (squared + in_SteadyGradient * in_SteadyGradient) : 0.0;
-  float perSlope = c.trust / max(c.slope, 1e-30);
-  mat3 shape = -perSlope * c.hessian;
-  vec3 n = c.normal;
-  vec3 x = shape[0];
-  vec3 y = shape[1];
-  vec3 z = shape[2];
-  float trace = x.x + y.y + z.z;
-  c.mean = 0.5 * (trace - dot(n, shape * n));
-  c.gauss = dot(n, mat3(cross(y, z), cross(z, x), cross(x, y)) * n);
-  float root = sqrt(max(c.mean * c.mean - c.gauss, 0.0));
-  c.first = c.mean + root;
-  c.second = c.mean - root;
+  c.trust = d.isWhole ? trustIn(c.slope) : 0.0;
+  mat2x3 across = acrossNormal(c.normal);
+  mat2x3 bent = c.hessian * across;
+  vec3 shape = -c.trust / max(c.slope, 1e-30) *
+    vec3(dot(across[0], bent[0]), dot(across[1], bent[1]), dot(across[0], bent[1]));
+  c.mean = 0.5 * (shape.x + shape.y);
+  c.gauss = shape.x * shape.y - shape.z * shape.z;
+  float apart = length(vec2(0.5 * (shape.x - shape.y), shape.z));
+  c.first = c.mean + apart;
+  c.second = c.mean - apart;
   return c;
 }
 
@@ -89,11 +105,12 @@ float largestMagnitude(Curvature c)
 }
 
 // Koenderink and van Doorn 1992: 1 on a ball, 0.5 on a ridge, 0 on a symmetric saddle, -1 in a cup.
+// It does not tell how small curvatures are, so it fades where these are rounding.
 float shapeIndex(Curvature c)
 {
-  float difference = c.first - c.second;
-  bool isFlat = c.mean == 0.0 && difference == 0.0;
-  return isFlat ? 0.0 : c.trust * 0.6366197724 * atan(2.0 * c.mean, difference);
+  float bend = totalCurvature(c) * c.slope;
+  float angle = atan(2.0 * c.mean, max(c.first - c.second, 1e-30));
+  return trustIn(bend) * c.trust * 0.6366197724 * angle;
 }
 
 float curvedness(Curvature c)

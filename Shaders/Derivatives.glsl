@@ -10,8 +10,52 @@ struct Derivatives
   bool isWhole;  // no hole takes part
 };
 
+// Weighted sums over some of the texels.
+struct Moments
+{
+  vec3 values; // value, slope and bend along x,
+  vec2 slopes; // slope along y of the first two,
+  float bend;  // and bend along y
+  bool isWhole;
+};
+
 // A texel in the middle is taken from all others, so that small differences keep their digits, and
-// what is constant has none.
+// what is constant has none. Where there is no value it stands for it.
+float differenceAt(Brick brick, ivec3 at, float middle, inout bool isWhole)
+{
+  float texel = valueOf(fetchTexel(brick, at));
+#ifdef FLATBLOCK_HOLES
+  isWhole = isWhole && !isHole(texel);
+  texel = isHole(texel) ? middle : texel;
+#endif
+  return texel - middle;
+}
+
+vec3 rowAt(Brick brick, ivec3 first, mat3x4 alongX, float middle, inout bool isWhole)
+{
+  vec4 texels;
+  texels.x = differenceAt(brick, first, middle, isWhole);
+  texels.y = differenceAt(brick, first + ivec3(1, 0, 0), middle, isWhole);
+  texels.z = differenceAt(brick, first + ivec3(2, 0, 0), middle, isWhole);
+  texels.w = differenceAt(brick, first + ivec3(3, 0, 0), middle, isWhole);
+  return texels * alongX;
+}
+
+// Written out and not as loops: some drivers end a shader that turns too often.
+Moments planeAt(Brick brick, ivec3 first, mat3x4 alongX, mat3x4 alongY, float middle)
+{
+  Moments found;
+  found.isWhole = true;
+  vec3 a = rowAt(brick, first, alongX, middle, found.isWhole);
+  vec3 b = rowAt(brick, first + ivec3(0, 1, 0), alongX, middle, found.isWhole);
+  vec3 c = rowAt(brick, first + ivec3(0, 2, 0), alongX, middle, found.isWhole);
+  vec3 d = rowAt(brick, first + ivec3(0, 3, 0), alongX, middle, found.isWhole);
+  found.values = mat4x3(a, b, c, d) * alongY[0];
+  found.slopes = mat4x2(a.xy, b.xy, c.xy, d.xy) * alongY[1];
+  found.bend = dot(vec4(a.x, b.x, c.x, d.x), alongY[2]);
+  return found;
+}
+
 Derivatives derivativesFrom(Brick brick, ivec3 cell, vec3 share)
 {
   ivec3 first = ivec3(brick.origin) + cell - 1;
@@ -22,33 +66,18 @@ Derivatives derivativesFrom(Brick brick, ivec3 cell, vec3 share)
 #ifdef FLATBLOCK_HOLES
   middle = isHole(middle) ? 0.0 : middle;
 #endif
-  Derivatives found = Derivatives(vec3(0.0), vec3(0.0), vec3(0.0), true);
-  for (int z = 0; z < 4; ++z)
-  {
-    vec3 valueOfPlane = vec3(0.0); // value, slope and bend along x
-    vec2 slopeOfPlane = vec2(0.0); // slope along y of the first two
-    float bendOfPlane = 0.0;
-    for (int y = 0; y < 4; ++y)
-    {
-      vec4 texels;
-      for (int x = 0; x < 4; ++x)
-      {
-        texels[x] = valueOf(fetchTexel(brick, first + ivec3(x, y, z)));
-      }
-#ifdef FLATBLOCK_HOLES
-      found.isWhole = found.isWhole && !isHole(texels);
-      texels = mix(texels, vec4(middle), greaterThan(abs(texels), vec4(2.0)));
-#endif
-      vec3 row = (texels - middle) * alongX;
-      valueOfPlane += alongY[0][y] * row;
-      slopeOfPlane += alongY[1][y] * row.xy;
-      bendOfPlane += alongY[2][y] * row.x;
-    }
-    found.gradient += vec3(alongZ[0][z] * vec2(valueOfPlane.y, slopeOfPlane.x), alongZ[1][z] * valueOfPlane.x);
-    found.bend += vec3(alongZ[0][z] * vec2(valueOfPlane.z, bendOfPlane), alongZ[2][z] * valueOfPlane.x);
-    found.twist += vec3(alongZ[1][z] * vec2(slopeOfPlane.x, valueOfPlane.y), alongZ[0][z] * slopeOfPlane.y);
-  }
-  return found;
+  Moments a = planeAt(brick, first, alongX, alongY, middle);
+  Moments b = planeAt(brick, first + ivec3(0, 0, 1), alongX, alongY, middle);
+  Moments c = planeAt(brick, first + ivec3(0, 0, 2), alongX, alongY, middle);
+  Moments d = planeAt(brick, first + ivec3(0, 0, 3), alongX, alongY, middle);
+  vec3 values = mat4x3(a.values, b.values, c.values, d.values) * alongZ[0];
+  vec2 slopes = mat4x2(a.slopes, b.slopes, c.slopes, d.slopes) * alongZ[0];
+  float bend = dot(vec4(a.bend, b.bend, c.bend, d.bend), alongZ[0]);
+  vec3 slopesOfZ = mat4x3(vec3(a.values.xy, a.slopes.x), vec3(b.values.xy, b.slopes.x),
+    vec3(c.values.xy, c.slopes.x), vec3(d.values.xy, d.slopes.x)) * alongZ[1];
+  float bendOfZ = dot(vec4(a.values.x, b.values.x, c.values.x, d.values.x), alongZ[2]);
+  return Derivatives(vec3(values.y, slopes.x, slopesOfZ.x), vec3(values.z, bend, bendOfZ),
+    vec3(slopesOfZ.z, slopesOfZ.y, slopes.y), a.isWhole && b.isWhole && c.isWhole && d.isWhole);
 }
 
 Derivatives derivativesAt(Brick brick, vec3 position)

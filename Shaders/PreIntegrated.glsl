@@ -148,7 +148,7 @@ Piece pieceBetween(Point front, Point back, float length)
       (isRising ? integralBetween(front, back) : integralBetween(back, front));
   }
   float depth = max(integral.a, Tiny);
-  float opacity = opacityOfDepth(depth);
+  float opacity = opacityOfDepth(max(integral.a, 0.0)); // 0 where nothing is seen
   vec3 change = front.matter.rgb - back.matter.rgb;
   float changed = largest(abs(change));
   float slope = (back.matter.a - front.matter.a) / max(front.matter.a + back.matter.a, Tiny);

@@ -10,16 +10,11 @@
 namespace flatblock
 {
 /// What coarser levels of detail make of a volume: samples at a stride, or means of those up to
-/// that far around.
+/// that far around; and what is made of these between them.
 struct Coarsening
 {
-  int Cubes = 1; ///< that the coarsest cell is long, a power of two
-  bool IsFiltered = false;
-
-  bool operator==(const Coarsening& other) const
-  {
-    return this->Cubes == other.Cubes && this->IsFiltered == other.IsFiltered;
-  }
+  int Cubes = 1;       ///< that the coarsest cell is long, a power of two
+  int CellsAround = 0; ///< on each side, whose samples show in a cell
 };
 
 /// Calls action(number of the first cube, stride) for all lines of cubes along an axis.
@@ -40,12 +35,12 @@ void ForLines(const Index3& size, int axis, const Action& action)
 }
 
 /// Gives each cube what `merge`, associative, makes of all cubes that show in it at the coarsest
-/// level: those of its cell, and of the cells beside that where levels are filtered.
+/// level: those of its cell, and of the cells around.
 template <typename Value, typename Merge>
 void Coarsen(
   const Index3& size, const Coarsening& coarsening, std::vector<Value>& values, const Merge& merge)
 {
-  const int reach = coarsening.IsFiltered ? coarsening.Cubes : 0;
+  const int reach = coarsening.CellsAround * coarsening.Cubes;
   for (int axis = 0; axis < 3 && (coarsening.Cubes > 1 || reach > 0); ++axis)
   {
     std::vector<Value> line(static_cast<std::size_t>(size[axis]));

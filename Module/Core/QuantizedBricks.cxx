@@ -1,5 +1,7 @@
 #include "QuantizedBricks.h"
 
+#include "Coarsening.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -58,23 +60,12 @@ void QuantizedBricks::ReadBrick(
 std::vector<TexelRange> WidenRanges(const Index3& blocks, const std::vector<TexelRange>& ranges)
 {
   std::vector<TexelRange> wide = ranges;
-  const auto blockAt = [&blocks](int x, int y, int z)
-  { return (static_cast<std::size_t>(z) * blocks[1] + y) * blocks[0] + x; };
-  for (int i = 0; i < 27 * static_cast<int>(ranges.size()); ++i)
-  {
-    const int number = i / 27;
-    const int x = number % blocks[0] + i % 3 - 1;
-    const int y = number / blocks[0] % blocks[1] + i / 3 % 3 - 1;
-    const int z = number / (blocks[0] * blocks[1]) + i / 9 % 3 - 1;
-    if (x >= 0 && x < blocks[0] && y >= 0 && y < blocks[1] && z >= 0 && z < blocks[2])
+  Coarsen(blocks, { 1, 1 }, wide,
+    [](const TexelRange& a, const TexelRange& b) -> TexelRange
     {
-      TexelRange& range = wide[static_cast<std::size_t>(number)];
-      const TexelRange& other = ranges[blockAt(x, y, z)];
-      const float highest = std::max(range.Lowest + range.Extent, other.Lowest + other.Extent);
-      range.Lowest = std::min(range.Lowest, other.Lowest);
-      range.Extent = highest - range.Lowest;
-    }
-  }
+      const float lowest = std::min(a.Lowest, b.Lowest);
+      return { lowest, std::max(a.Lowest + a.Extent, b.Lowest + b.Extent) - lowest };
+    });
   return wide;
 }
 } // namespace flatblock

@@ -78,12 +78,12 @@ struct RaySampling
   bool MayBeSpline = false; ///< in this frame or another
   CurvatureFunction Curvature = CurvatureFunction::None;
   std::array<double, 2> CurvatureRange = { 0.0, 1.0 }; ///< that the table is over
-  bool HasEndsInside = false;        ///< of that range: at 2 % and 98 % of the table
+  bool HasEndsInside = false; ///< of that range: at 2 % and 98 % of the table
   bool HasCurvatureOpacity = false;
   double SilhouetteWidth = 0.0; ///< in the data set's unit
   std::array<double, 3> SilhouetteColor = { 0.0, 0.0, 0.0 };
   std::array<double, 3> GradientModulation = { 0.0, 0.0, 0.0 }; ///< of ambient, diffuse, specular
-  bool HasEagerDerivatives = false; ///< of all samples, seen or not
+  bool HasEagerDerivatives = false;                             ///< of all samples, seen or not
   double ShadingThreshold = 0.0; ///< opacity that a piece must be seen with to be lit anew
   int MostSamples = 0;           ///< of a ray; 0: no limit
   double RayStart = 0.0;         ///< in world units from the eye, or the near plane

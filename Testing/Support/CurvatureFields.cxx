@@ -46,10 +46,9 @@ std::vector<CurvatureField> MakeFields()
   const auto bump = [](auto x, auto y, auto z, double width)
   { return exp((x * x + y * y + z * z) * (-1.0 / (width * width))); };
   return {
-    MakeField("sphere",
-      [](auto x, auto y, auto z) { return 0.6 - sqrt(x * x + y * y + z * z + 0.0); }),
-    MakeField("ellipsoid",
-      [](auto x, auto y, auto z)
+    MakeField(
+      "sphere", [](auto x, auto y, auto z) { return 0.6 - sqrt(x * x + y * y + z * z + 0.0); }),
+    MakeField("ellipsoid", [](auto x, auto y, auto z)
       { return 1.0 - sqrt(x * x / 0.64 + y * y / 0.36 + z * z / 0.2025); }),
     MakeField("torus",
       [](auto x, auto y, auto z)
@@ -57,8 +56,10 @@ std::vector<CurvatureField> MakeFields()
         const auto across = sqrt(x * x + y * y) - 0.5;
         return 0.25 - sqrt(across * across + z * z);
       }),
-    MakeField("cylinder", [](auto x, auto y, auto z) { return 0.4 - sqrt(x * x + z * z + 0.0 * y); }),
-    MakeField("saddle", [](auto x, auto y, auto z) { return 0.7 * (x * x - y * y) - z; }),
+    MakeField(
+      "cylinder", [](auto x, auto y, auto z) { return 0.4 - sqrt(x * x + z * z + 0.0 * y); }),
+    MakeField(
+      "saddle", [](auto x, auto y, auto z) { return 0.35 * (cos(2.0 * y) - cos(2.0 * x)) - z; }),
     MakeField("gyroid",
       [](auto x, auto y, auto z)
       {

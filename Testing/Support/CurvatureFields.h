@@ -1,5 +1,5 @@
-/// Fields whose derivatives are known, in and around the cube [-1, 1]^3; their surface is where they
-/// are 0, and above it they are inside.
+/// Fields whose derivatives are known, in and around the cube [-1, 1]^3; their surface is where
+/// they are 0, and above it they are inside.
 #pragma once
 
 #include "ReferenceCurvature.h"

@@ -17,8 +17,9 @@ void ShowField(Scene& scene, const CurvatureField& field, int n)
 {
   const double spacing = 2.0 / (n - 1);
   const auto image = MakeVolume({ n, n, n }, VTK_FLOAT,
-    [&](int x, int y, int z)
-    { return field.Value({ x * spacing - 1.0, y * spacing - 1.0, z * spacing - 1.0 }); });
+    [&](int x, int y, int z) {
+      return field.Value({ x * spacing - 1.0, y * spacing - 1.0, z * spacing - 1.0 });
+    });
   image->SetSpacing(spacing, spacing, spacing);
   image->SetOrigin(-1.0, -1.0, -1.0);
   scene.SetVolume(image, 0.5 * spacing);
@@ -75,8 +76,8 @@ std::vector<CurvaturePixel> FindPixels(Scene& scene, const SampledField& field, 
     bool isInside = surface[i][0] > 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      isInside = isInside && point[axis] >= margin &&
-                 point[axis] <= field.GetSamples()[axis] - 1 - margin;
+      isInside =
+        isInside && point[axis] >= margin && point[axis] <= field.GetSamples()[axis] - 1 - margin;
     }
     if (isInside)
     {
@@ -86,8 +87,7 @@ std::vector<CurvaturePixel> FindPixels(Scene& scene, const SampledField& field, 
   return pixels;
 }
 
-void MeasureCurvature(
-  Scene& scene, int function, double most, std::vector<CurvaturePixel>& pixels)
+void MeasureCurvature(Scene& scene, int function, double most, std::vector<CurvaturePixel>& pixels)
 {
   vtkNew<vtkColorTransferFunction> gray;
   gray->AddRGBPoint(0.0, 0.0, 0.0, 0.0);

@@ -28,11 +28,10 @@ struct CurvaturePixel
 std::vector<CurvaturePixel> FindPixels(
   Scene& scene, const SampledField& field, double margin = 2.0);
 
-/// Sets their values, of a function of curvature, to what the mapper draws there; drops those that it
-/// does not draw.
+/// Sets their values, of a function of curvature, to what the mapper draws there; drops those that
+/// it does not draw.
 /// @param most  beyond which values are cut off
-void MeasureCurvature(
-  Scene& scene, int function, double most, std::vector<CurvaturePixel>& pixels);
+void MeasureCurvature(Scene& scene, int function, double most, std::vector<CurvaturePixel>& pixels);
 
 /// The mapper's filter as the reference has it.
 ReferenceFilter GetFilter(Scene& scene);

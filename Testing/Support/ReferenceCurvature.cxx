@@ -122,9 +122,10 @@ PrincipalCurvatures GetPrincipalCurvatures(const FieldDerivatives& derivatives)
 {
   const double slope = std::sqrt(Dot(derivatives.Gradient, derivatives.Gradient));
   const Vector normal = Normalize(derivatives.Gradient);
-  const int least = static_cast<int>(std::min_element(normal.begin(), normal.end(),
-                                       [](double a, double b) { return std::abs(a) < std::abs(b); }) -
-                                     normal.begin());
+  const int least =
+    static_cast<int>(std::min_element(normal.begin(), normal.end(),
+                       [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+                     normal.begin());
   Vector axis = {};
   axis[least] = 1.0;
   const Vector u = Normalize(Cross(normal, axis));
@@ -145,8 +146,8 @@ SampledField::SampledField(ReferenceVolume volume, ReferenceFilter filter)
 double SampledField::GetValue(const Vector& point) const
 {
   const bool isSpline = this->Filter == ReferenceFilter::CubicBSpline;
-  return Convolve(this->Volume, point,
-    [isSpline](int, double x) { return isSpline ? BSpline(x, 0) : Tent(x); });
+  return Convolve(
+    this->Volume, point, [isSpline](int, double x) { return isSpline ? BSpline(x, 0) : Tent(x); });
 }
 
 FieldDerivatives SampledField::GetDerivatives(const Vector& point) const
@@ -157,8 +158,8 @@ FieldDerivatives SampledField::GetDerivatives(const Vector& point) const
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      found.Gradient[axis] = Convolve(this->Volume, point,
-        [axis](int i, double x) { return BSpline(x, i == axis ? 1 : 0); });
+      found.Gradient[axis] = Convolve(
+        this->Volume, point, [axis](int i, double x) { return BSpline(x, i == axis ? 1 : 0); });
     }
     for (int i = 0; i < 6; ++i)
     {
@@ -178,8 +179,8 @@ FieldDerivatives SampledField::GetDerivatives(const Vector& point) const
   for (int axis = 0; axis < 3; ++axis)
   {
     found.Gradient[axis] = 0.5 * (valueAt(axis, 1.0, axis, 0.0) - valueAt(axis, -1.0, axis, 0.0));
-    found.Hessian[axis] = valueAt(axis, 1.0, axis, 0.0) - 2.0 * this->GetValue(point) +
-                          valueAt(axis, -1.0, axis, 0.0);
+    found.Hessian[axis] =
+      valueAt(axis, 1.0, axis, 0.0) - 2.0 * this->GetValue(point) + valueAt(axis, -1.0, axis, 0.0);
     const auto [a, b] = Axes[3 + axis];
     found.Hessian[3 + axis] = 0.25 * (valueAt(a, 1.0, b, 1.0) - valueAt(a, 1.0, b, -1.0) -
                                        valueAt(a, -1.0, b, 1.0) + valueAt(a, -1.0, b, -1.0));
@@ -197,8 +198,8 @@ std::vector<Vector> SampledField::FindCrossing(
     return { from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1]),
       from[2] + share * (to[2] - from[2]) };
   };
-  const double samples = std::max(
-    { std::abs(to[0] - from[0]), std::abs(to[1] - from[1]), std::abs(to[2] - from[2]) });
+  const double samples =
+    std::max({ std::abs(to[0] - from[0]), std::abs(to[1] - from[1]), std::abs(to[2] - from[2]) });
   const int steps = std::max(1, static_cast<int>(std::ceil(samples * StepsPerSample)));
   const bool isBelow = this->GetValue(from) < value;
   for (int i = 1; i <= steps; ++i)
@@ -223,8 +224,9 @@ FieldDerivatives ToLengths(const FieldDerivatives& derivatives, const Matrix& sa
 {
   const Matrix toSamples = Invert(sampleToLength);
   const Matrix hessian = ToMatrix(derivatives.Hessian);
-  const auto column = [&toSamples](int i) -> Vector
-  { return { toSamples[i], toSamples[3 + i], toSamples[6 + i] }; };
+  const auto column = [&toSamples](int i) -> Vector {
+    return { toSamples[i], toSamples[3 + i], toSamples[6 + i] };
+  };
   FieldDerivatives found;
   constexpr int Axes[6][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 1, 2 }, { 0, 2 }, { 0, 1 } };
   for (int i = 0; i < 3; ++i)

@@ -23,8 +23,8 @@ struct PrincipalCurvatures
   double Second = 0.0;
 };
 
-/// Eigenvalues of the Hessian on the plane across the gradient, over the gradient's length: convex is
-/// positive where values fall outwards.
+/// Eigenvalues of the Hessian on the plane across the gradient, over the gradient's length: convex
+/// is positive where values fall outwards.
 PrincipalCurvatures GetPrincipalCurvatures(const FieldDerivatives& derivatives);
 
 /// A volume between its samples.
@@ -36,14 +36,14 @@ public:
   const std::array<int, 3>& GetSamples() const { return this->Volume.Samples; }
   double GetValue(const std::array<double, 3>& point) const;
 
-  /// In samples. Trilinear: central differences over one sample, at least one away from the faces of
-  /// the volume. Cubic B-spline: those of the spline.
+  /// In samples. Trilinear: central differences over one sample, at least one away from the faces
+  /// of the volume. Cubic B-spline: those of the spline.
   FieldDerivatives GetDerivatives(const std::array<double, 3>& point) const;
 
   /// Where the way from one point to another first meets a value, if it does: to 1e-12 of the way,
   /// and of crossings that lie closer to each other than 1/4 of a sample not all.
-  std::vector<std::array<double, 3>> FindCrossing(const std::array<double, 3>& from,
-    const std::array<double, 3>& to, double value) const;
+  std::vector<std::array<double, 3>> FindCrossing(
+    const std::array<double, 3>& from, const std::array<double, 3>& to, double value) const;
 
 private:
   ReferenceVolume Volume;
