@@ -44,10 +44,21 @@ double GetQuantum(TexelFormat format)
   }
 }
 
-void SetDefaultColors(vtkColorTransferFunction* color)
+bool HasSign(CurvatureFunction function)
 {
-  color->SetColorSpaceToDiverging();
-  color->AddRGBPoint(0.0, 0.23, 0.30, 0.75);
+  return function != CurvatureFunction::Total && function != CurvatureFunction::Curvedness;
+}
+
+// Gray where there is no curvature.
+void SetDefaultColors(vtkColorTransferFunction* color, bool hasSign)
+{
+  if (hasSign)
+  {
+    color->AddRGBPoint(-1.0, 0.23, 0.30, 0.75);
+    color->AddRGBPoint(-0.5, 0.55, 0.69, 1.00);
+  }
+  color->AddRGBPoint(0.0, 0.87, 0.87, 0.87);
+  color->AddRGBPoint(0.5, 0.96, 0.60, 0.48);
   color->AddRGBPoint(1.0, 0.71, 0.02, 0.15);
 }
 
@@ -70,17 +81,16 @@ std::array<double, 2> GetNaturalRange(CurvatureFunction function, double smalles
 {
   constexpr double SpacingsPerRadius = 4.0;
   const double most = std::pow(SpacingsPerRadius * smallestSpacing, GetDimension(function));
-  const bool isPositive =
-    function == CurvatureFunction::Total || function == CurvatureFunction::Curvedness;
-  return { isPositive ? 0.0 : -most, most };
+  return { HasSign(function) ? -most : 0.0, most };
 }
 
-FunctionTable MakeCurvatureTable(vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity)
+FunctionTable MakeCurvatureTable(
+  CurvatureFunction function, vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity)
 {
   vtkNew<vtkColorTransferFunction> defaults;
   if (!color || color->GetSize() == 0)
   {
-    SetDefaultColors(defaults);
+    SetDefaultColors(defaults, HasSign(function));
     color = defaults;
   }
   std::vector<float> colors(3 * static_cast<std::size_t>(Entries));

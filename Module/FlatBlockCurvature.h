@@ -18,9 +18,12 @@ namespace flatblock
 std::array<double, 2> GetNaturalRange(CurvatureFunction function, double smallestSpacing);
 
 /// From the first to the last point of both.
-/// @param color    blue, gray, red where it is nullptr or has no point
+/// @param color    where it is nullptr or has no point blue, gray and red; gray and red for
+/// functions
+///                 that have no sign
 /// @param opacity  1 where it is nullptr or has no point
-FunctionTable MakeCurvatureTable(vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity);
+FunctionTable MakeCurvatureTable(
+  CurvatureFunction function, vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity);
 
 void SetCurvature(vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet,
   const RaySampling& sampling, const TexelEncoding& encoding);

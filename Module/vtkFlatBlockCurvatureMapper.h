@@ -120,8 +120,8 @@ public:
   ///@{
   /**
    * Colours over the function's value. From their first point to the last they are stretched over
-   * CurvatureRange. Default: none; then blue where the surface is concave, gray where it is flat,
-   * red where it is convex.
+   * CurvatureRange. Default: none; then blue where the surface is concave, gray where it is flat
+   * and red where it is convex, or gray and red for Total and Curvedness.
    */
   virtual void SetCurvatureColor(vtkColorTransferFunction* color);
   virtual vtkColorTransferFunction* GetCurvatureColor();

@@ -63,7 +63,7 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::vtkInternals::GetCurvatureTableBytes() co
 {
   return this->Sampling.Curvature != flatblock::CurvatureFunction::None
            ? vtkOpenGLFlatBlockFunctionTexture::GetBytes(
-               flatblock::MakeCurvatureTable(nullptr, nullptr))
+               flatblock::MakeCurvatureTable(this->Sampling.Curvature, nullptr, nullptr))
            : 0;
 }
 
@@ -78,7 +78,7 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateCurvatureTable(
   }
   flatblock::StageTimer timer(this->Statistics.UploadMilliseconds);
   if (!this->RayCaster->GetLookups().SetFunction(this->Window, flatblock::RayLookups::OF_CURVATURE,
-        isUsed ? flatblock::MakeCurvatureTable(
+        isUsed ? flatblock::MakeCurvatureTable(this->Sampling.Curvature,
                    mapper->GetCurvatureColor(), mapper->GetCurvatureOpacity())
                : flatblock::FunctionTable()))
   {
