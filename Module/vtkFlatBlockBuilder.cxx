@@ -141,7 +141,7 @@ void vtkFlatBlockBuilder::WidenShownRanges()
       range.Highest += beyond;
     }
   }
-  this->Modified();
+  this->ShownTime.Modified();
 }
 
 template <typename T>

@@ -14,6 +14,7 @@
 #include "CudaDistortion.h"
 #include "vtkObject.h"
 #include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
 
 #include <memory>
 #include <string>
@@ -55,7 +56,7 @@ public:
 
   /**
    * Cuts the image's scalars, one component and one tuple a point, into blocks. Other bricks of the
-   * same blocks, with the same ranges, leave the time of modification.
+   * same blocks leave the time of modification.
    * @return whether anything was built anew
    */
   bool Update(vtkFlatBlockScalars* scalars, int blockSize, const Bricks& bricks);
@@ -76,9 +77,9 @@ public:
   }
   /// Of finite samples.
   const std::vector<flatblock::ValueRange>& GetBlockRanges() const { return this->BlockRanges; }
-  /// Of what is between them, too.
+  /// Of what is between them, too; and when these last changed.
   const std::vector<flatblock::ValueRange>& GetShownRanges() const { return this->ShownRanges; }
-  const Bricks& GetBricks() const { return this->BuiltBricks; }
+  vtkMTimeType GetShownTime() const { return this->ShownTime; }
 
   /**
    * Range of all finite samples; [0, 0] if there is none.
@@ -146,6 +147,7 @@ private:
   std::unique_ptr<flatblock::BrickSource> Quantized; // of it
   std::vector<flatblock::ValueRange> BlockRanges;
   std::vector<flatblock::ValueRange> ShownRanges;
+  vtkTimeStamp ShownTime;
   flatblock::ValueRange Range;
   std::vector<flatblock::CellRange> CellRanges;
   flatblock::CellScale CellScale;

@@ -100,7 +100,8 @@ void vtkFlatBlockSkipMap::Update(const std::vector<Part>& parts,
   vtkMTimeType edited = visibleTime;
   for (const Part& part : parts)
   {
-    edited = std::max({ edited, part.Builder->GetMTime(), part.Function->GetMTime() });
+    edited = std::max({ edited, part.Builder->GetMTime(), part.Builder->GetShownTime(),
+      part.Function->GetMTime() });
   }
   if (edited < this->GetMTime() && this->UsedParts == parts && this->Used == settings)
   {

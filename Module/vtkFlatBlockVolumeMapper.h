@@ -254,7 +254,7 @@ public:
   /**
    * Whether blocks take over the borders of coarser neighbours, so that levels meet without a
    * crack: on both sides values are the same to 2^-16 of the range, for data of 8 bit to one step.
-   * Default: on.
+   * Not with a B-spline or curvature, which need a block's own samples. Default: on.
    */
   vtkSetMacro(InterblockContinuity, bool);
   vtkGetMacro(InterblockContinuity, bool);

@@ -175,7 +175,7 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateVisibleBlocks()
   {
     weights.push_back(channel->Weight);
   }
-  if (std::max({ this->GetFunctionTime(), this->Builder->GetMTime(),
+  if (std::max({ this->GetFunctionTime(), this->Builder->GetMTime(), this->Builder->GetShownTime(),
         this->Mask ? this->Mask->Builder->GetMTime() : 0 }) < this->VisibleBlocksTime &&
       weights == this->VisibleWeights)
   {

@@ -35,8 +35,9 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateTransmittance(const flatblock
 {
   constexpr double MostExtinction = 1e6; // of what is wholly opaque
   const flatblock::ClassifiedTable& table = this->TransferFunction->GetClassifiedTable();
-  const bool isNewTable = std::max(this->TransferFunction->GetClassifiedTime(),
-                            this->Builder->GetMTime()) > this->ExtinctionTime;
+  const bool isNewTable =
+    std::max({ this->TransferFunction->GetClassifiedTime(), this->Builder->GetMTime(),
+      this->Builder->GetShownTime() }) > this->ExtinctionTime;
   if (isNewTable)
   {
     const double unit = this->Property->GetScalarOpacityUnitDistance();

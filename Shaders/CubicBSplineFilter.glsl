@@ -47,9 +47,4 @@ mat3x4 weightsBetween(float a)
     0.5 * vec4(-b * b, a * (3.0 * a - 4.0), b * (4.0 - 3.0 * b), a * a),
     vec4(b, 3.0 * a - 2.0, 1.0 - 3.0 * a, a));
 }
-
-vec3 middleOfDifferences(Brick brick, vec3 position)
-{
-  return clamp(position, vec3(0.0), in_LastSample);
-}
 #endif

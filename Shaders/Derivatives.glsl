@@ -80,6 +80,14 @@ Derivatives derivativesFrom(Brick brick, ivec3 cell, vec3 share)
     vec3(slopesOfZ.z, slopesOfZ.y, slopes.y), a.isWhole && b.isWhole && c.isWhole && d.isWhole);
 }
 
+// Derivatives need a sample on both sides: near the volume's faces those of the nearest place that has
+// them are taken, with what the gradient changes by from there on.
+vec3 middleOfDifferences(Brick brick, vec3 position)
+{
+  vec3 reach = min(vec3(1.0 / brick.scale), 0.5 * in_LastSample);
+  return clamp(position, reach, in_LastSample - reach);
+}
+
 Derivatives derivativesAt(Brick brick, vec3 position)
 {
   vec3 inBlock =

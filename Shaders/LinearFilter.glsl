@@ -14,12 +14,4 @@ mat3x4 weightsBetween(float a)
     0.5 * vec4(a - 1.0, -a, 1.0 - a, a),
     vec4(1.0 - a, 3.0 * a - 2.0, 1.0 - 3.0 * a, a));
 }
-
-// Differences need a sample on both sides: near the volume's faces those of the nearest place that
-// has them are taken, with what the gradient changes by from there on.
-vec3 middleOfDifferences(Brick brick, vec3 position)
-{
-  vec3 reach = min(vec3(1.0 / brick.scale), 0.5 * in_LastSample);
-  return clamp(position, reach, in_LastSample - reach);
-}
 #endif

@@ -339,3 +339,80 @@ TEST(Curvature, HolesAreNeutral)
     EXPECT_TRUE(IsSound(DrawFloats(scene)));
   }
 }
+
+// On the faces of the cube, as well.
+TEST(Curvature, AtTheVolumesFacesIsAsInside)
+{
+  for (const char* name : { "cylinder", "gyroid" })
+  {
+    for (int filter : { Mapper::LINEAR, Mapper::CUBIC_B_SPLINE })
+    {
+      Scene scene;
+      ShowSmallField(scene, name, 33, filter);
+      const SampledField field(ReadReferenceVolume(scene), GetFilter(scene));
+      auto pixels = FindPixels(scene, field, 0.0);
+      MeasureCurvature(scene, Mapper::FIRST_PRINCIPAL, 20.0, pixels);
+      const Errors errors = Compare(pixels,
+        [&](const CurvaturePixel& pixel)
+        {
+          std::array<double, 3> point;
+          std::transform(pixel.Point.begin(), pixel.Point.end(), point.begin(),
+            [](double sample) { return sample / 16.0 - 1.0; });
+          return GetPrincipalCurvatures(GetCurvatureField(name).Derivatives(point)).First;
+        });
+      EXPECT_LT(errors.OfMost, 0.25) << name << filter; // a tenth
+    }
+  }
+}
+
+// A ball is as round in coarse blocks as in fine ones, and where they meet.
+TEST(Curvature, OfCoarseLevelsShowsNoSeams)
+{
+  vtkNew<vtkColorTransferFunction> gray;
+  gray->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
+  gray->AddRGBPoint(1.0, 1.0, 1.0, 1.0);
+  for (int filter : { Mapper::LINEAR, Mapper::CUBIC_B_SPLINE })
+  {
+    Scene scene;
+    ShowBall(scene, { 1.0, 1.0, 1.0 });
+    scene.Mapper->SetReconstructionFilter(filter);
+    scene.Mapper->SetCurvatureColor(gray);
+    scene.Mapper->SetCurvatureRange(0.0, 0.1);
+    scene.Window->Render();
+    scene.Mapper->SetMaxMemoryInBytes(scene.Mapper->GetMemoryInBytes() * 7 / 10);
+    scene.Window->Render();
+    ASSERT_GT(scene.Mapper->GetNumberOfBricks(0), 0);
+    ASSERT_GT(scene.Mapper->GetNumberOfBricks(1), 0);
+    double largest = 0.0;
+    for (const auto& pixel : DrawFloats(scene))
+    {
+      largest = pixel[3] > 0.3 ? std::max(largest, std::abs(pixel[0] / pixel[3] - 0.5)) : largest;
+    }
+    EXPECT_LT(largest, 0.05) << filter;
+  }
+}
+
+// What is drawn of one component may have a mask, or a second array that opacity follows.
+TEST(Curvature, IsSeenThroughAMask)
+{
+  Scene scene;
+  ShowBall(scene, { 1.0, 1.0, 1.0 });
+  const auto mask =
+    MakeVolume({ 64, 64, 64 }, VTK_UNSIGNED_CHAR, [](int x, int, int) { return x < 40 ? 255 : 0; });
+  scene.Mapper->SetMaskInput(mask);
+  vtkNew<vtkColorTransferFunction> white;
+  white->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+  white->AddRGBPoint(1.0, 1.0, 1.0, 1.0);
+  scene.Mapper->SetCurvatureColor(white);
+  for (int filter : { Mapper::LINEAR, Mapper::CUBIC_B_SPLINE })
+  {
+    scene.Mapper->SetReconstructionFilter(filter);
+    double seen = 0.0;
+    for (const auto& pixel : DrawFloats(scene))
+    {
+      ASSERT_NEAR(pixel[1], pixel[3], 1e-5);
+      seen += pixel[3];
+    }
+    EXPECT_GT(seen, 1000.0);
+  }
+}

@@ -33,7 +33,7 @@ def own_properties():
 def argument_types(name):
     """Types of the first signature of a setter."""
     text = getattr(vtkFlatBlockVolumeMapper, "Set" + name).__doc__
-    arguments = re.search(r"Set" + name + r"\(self, (.*?)\)", text).group(1)
+    arguments = re.search(r"Set" + name + r"\(self, (.*?)\)", text, re.S).group(1)
     return [argument.split(":")[1].strip() for argument in arguments.split(",")]
 
 

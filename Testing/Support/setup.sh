@@ -5,7 +5,7 @@ project=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
 # ParaView with its VTK, and what find_package(ParaView) cannot do without.
 build_packages=(
-  g++ cmake ninja-build libgtest-dev
+  g++ cmake ninja-build libboost-dev libgtest-dev
   paraview paraview-dev python3-paraview libpython3-dev mpi-default-dev
   libfreetype-dev libgl-dev libglew-dev libopengl-dev libx11-dev zlib1g-dev)
 # A display where there is none, OpenGL in software, and a real MRI.
