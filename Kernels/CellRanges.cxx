@@ -29,7 +29,7 @@ CellRange Quantize(const ValueRange& range, const CellScale& scale)
 } // namespace
 
 template <typename T>
-void ComputeCellRanges(const T* samples, const std::array<int, 3>& dims, int cells,
+void ComputeCellRanges(const T* samples, const std::array<int, 3>& dims, int cells, int around,
   const std::array<int, 3>& count, const CellScale& scale, CellRange* ranges)
 {
   const std::int64_t rows = static_cast<std::int64_t>(count[1]) * count[2];
@@ -39,19 +39,21 @@ void ComputeCellRanges(const T* samples, const std::array<int, 3>& dims, int cel
     const int y = static_cast<int>(row % count[1]) * cells;
     const int z = static_cast<int>(row / count[1]) * cells;
     Columns<T> columns(dims[0]);
-    columns.Add(samples, dims, { y, std::min(y + cells, dims[1] - 1) },
-      { z, std::min(z + cells, dims[2] - 1) });
+    columns.Add(samples, dims,
+      { std::max(y - around, 0), std::min(y + cells + around, dims[1] - 1) },
+      { std::max(z - around, 0), std::min(z + cells + around, dims[2] - 1) });
     for (int i = 0; i < count[0]; ++i)
     {
       const int x = i * cells;
-      ranges[row * count[0] + i] =
-        Quantize(columns.GetRange(x, std::min(x + cells, dims[0] - 1)), scale);
+      ranges[row * count[0] + i] = Quantize(
+        columns.GetRange(std::max(x - around, 0), std::min(x + cells + around, dims[0] - 1)),
+        scale);
     }
   }
 }
 
 #define FLATBLOCK_INSTANTIATE(T)                                                                   \
-  template void ComputeCellRanges<T>(const T*, const std::array<int, 3>&, int,                     \
+  template void ComputeCellRanges<T>(const T*, const std::array<int, 3>&, int, int,                \
     const std::array<int, 3>&, const CellScale&, CellRange*);
 FLATBLOCK_FOR_SAMPLE_TYPES(FLATBLOCK_INSTANTIATE)
 #undef FLATBLOCK_INSTANTIATE

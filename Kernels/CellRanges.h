@@ -33,9 +33,10 @@ struct CellScale
 ///
 /// @param samples  dims[0] * dims[1] * dims[2] values, x fastest, the finite ones on the scale
 /// @param cells    cells a cube's side, >= 1
+/// @param around   samples around a cube that count as well, where there are any
 /// @param count    cubes an axis
 /// Instantiated for every C++ arithmetic type that a VTK array can hold.
 template <typename T>
-void ComputeCellRanges(const T* samples, const std::array<int, 3>& dims, int cells,
+void ComputeCellRanges(const T* samples, const std::array<int, 3>& dims, int cells, int around,
   const std::array<int, 3>& count, const CellScale& scale, CellRange* ranges);
 } // namespace flatblock

@@ -141,6 +141,7 @@ void vtkFlatBlockBuilder::WidenShownRanges()
       range.Highest += beyond;
     }
   }
+  this->CellsPerRange = 0;
   this->ShownTime.Modified();
 }
 
@@ -206,8 +207,8 @@ template <typename T>
 void vtkFlatBlockBuilder::BuildCellRanges(const T* samples, const flatblock::Index3& count)
 {
   this->CellRanges.resize(static_cast<std::size_t>(count[0]) * count[1] * count[2]);
-  flatblock::ComputeCellRanges(samples, this->Grid.GetSamples(), this->CellsPerRange, count,
-    this->CellScale, this->CellRanges.data());
+  flatblock::ComputeCellRanges(samples, this->Grid.GetSamples(), this->CellsPerRange,
+    this->BuiltBricks.MayBeSpline ? 1 : 0, count, this->CellScale, this->CellRanges.data());
 }
 
 std::string vtkFlatBlockBuilder::ComputeDistortion(const std::vector<std::int64_t>& blocks,

@@ -87,8 +87,8 @@ public:
   const flatblock::ValueRange& GetRange() const { return this->Range; }
 
   /**
-   * Ranges of cubes of so many cells a side, on a scale. Computed where they are first asked for,
-   * and kept until another size is.
+   * Ranges of cubes of so many cells a side, and of what between their samples reaches for others,
+   * on a scale. Computed where they are first asked for, and kept until another size is.
    */
   const std::vector<flatblock::CellRange>& GetCellRanges(int cells);
 

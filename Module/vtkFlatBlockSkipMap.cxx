@@ -109,8 +109,11 @@ void vtkFlatBlockSkipMap::Update(const std::vector<Part>& parts,
   }
   vtkFlatBlockBuilder* builder = parts.front().Builder;
   const int cells = settings.Cells;
+  // At the finest level ranges hold what a spline reaches for, but not what it overshoots.
+  const bool isCoarse = settings.Coarsest > 0;
+  const bool reaches = settings.IsSpline && (isCoarse || builder->GetOvershoot() > 0.0);
   const flatblock::Coarsening coarsening = { std::max(1, (1 << settings.Coarsest) / cells),
-    (settings.IsFiltered && settings.Coarsest > 0 ? 1 : 0) + (settings.IsSpline ? 1 : 0) };
+    (settings.IsFiltered && isCoarse ? 1 : 0) + (reaches ? 1 : 0) };
   const flatblock::BlockGrid& blocks = builder->GetSource().GetGrid();
   const flatblock::CubeGrid grid = { CountCubes(blocks, cells), blocks.GetBlocks(),
     blocks.GetCellsPerBlock() / cells };

@@ -188,13 +188,17 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
     {
 #ifdef FLATBLOCK_MODULATED
       vec3 middle = origin + 0.5 * (progress.at + target) * ray.direction;
-      modulate(gathered, piece.color, brick, middle, (target - progress.at) * ray.unit);
+      modulate(gathered, piece.color, brickAt(progress, brick, middle), middle,
+        (target - progress.at) * ray.unit);
 #endif
       addColor(gathered, piece.color, origin + target * ray.direction);
       moveTo(progress, back, target, brick);
       target = stretch.exit;
     }
   }
+#ifdef FLATBLOCK_MODULATED
+  keepBrick(progress, brick, stretch);
+#endif
 }
 
 // What looks all the same up to the next point, in one piece.

@@ -33,13 +33,15 @@ bool canChange(Gathered gathered, Brick brick)
 }
 
 // Distance to the crossing of a value in a piece: bisected, and linear in what is left.
-float findCrossing(Ray ray, vec3 origin, Brick brick, float isoValue, vec2 ends, vec2 values)
+float findCrossing(Progress progress, Ray ray, vec3 origin, Brick brick, float isoValue, vec2 ends,
+  vec2 values)
 {
   const int Bisections = 6;
   for (int i = 0; i < Bisections; ++i)
   {
     float middle = 0.5 * (ends.x + ends.y);
-    float value = pointAt(brick, origin + middle * ray.direction).value;
+    vec3 position = origin + middle * ray.direction;
+    float value = pointAt(brickAt(progress, brick, position), position).value;
     bool isBehind = (value < isoValue) == (values.x < isoValue);
     ends = isBehind ? vec2(middle, ends.y) : vec2(ends.x, middle);
     values = isBehind ? vec2(value, values.y) : vec2(values.x, value);
@@ -47,10 +49,9 @@ float findCrossing(Ray ray, vec3 origin, Brick brick, float isoValue, vec2 ends,
   return mix(ends.x, ends.y, clamp((isoValue - values.x) / (values.y - values.x), 0.0, 1.0));
 }
 
-vec4 surfaceAt(Ray ray, vec3 origin, Brick brick, float isoValue, float at)
+vec4 surfaceAt(Brick brick, float isoValue, vec3 position)
 {
   vec4 color = surfaceOf(isoValue);
-  vec3 position = origin + at * ray.direction;
 #ifdef FLATBLOCK_CURVED
   Derivatives derivatives = derivativesAt(brick, position);
   Curvature curvature = curvatureOf(derivatives);
@@ -87,11 +88,12 @@ void cross(inout Gathered gathered, Progress progress, Ray ray, vec3 origin, Bri
     bool isCrossed = (values.x < isoValue) != (values.y < isoValue);
     while (isCrossed)
     {
-      float at = findCrossing(ray, origin, brick, isoValue, ends, values);
-      vec4 surface = surfaceAt(ray, origin, brick, isoValue, at);
+      float at = findCrossing(progress, ray, origin, brick, isoValue, ends, values);
+      vec3 position = origin + at * ray.direction;
+      vec4 surface = surfaceAt(brickAt(progress, brick, position), isoValue, position);
       if (gathered.color.a <= 0.0)
       {
-        see(origin + at * ray.direction);
+        see(position);
       }
       gathered.color = composite(gathered.color, surface);
       isCrossed = false;
@@ -117,4 +119,5 @@ void gather(inout Gathered gathered, inout Progress progress, Ray ray, vec3 orig
     moveTo(progress, back, target, brick);
     countSample(progress);
   }
+  keepBrick(progress, brick, stretch);
 }

@@ -23,7 +23,7 @@ struct Progress
   float at;    // its distance
   float next;  // distance of the next point of the lattice
   bool isLost; // what is at the front, in the brick, is not known: the ray leapt
-  Brick brick;
+  Brick brick; // that the front lies in
 #ifdef FLATBLOCK_COUNTING
   int samples;
 #endif
@@ -89,6 +89,28 @@ void moveTo(inout Progress progress, Point point, float at, Brick brick)
   progress.at = at;
   float following = (floor(progress.next / brick.step) + 1.0) * brick.step;
   progress.next = at >= progress.next ? following : progress.next;
+}
+
+// The piece from the front to the next point begins in the brick before, and ends in this one. What is
+// within it is of the one that it lies in.
+Brick brickAt(Progress progress, Brick brick, vec3 position)
+{
+  vec3 from = position - brick.first;
+  float end = float(in_CellsPerBlock);
+  if (any(lessThan(from, vec3(0.0))) || any(greaterThan(from, vec3(end))))
+  {
+    return progress.brick;
+  }
+  return brick;
+}
+
+// At the end of a stretch.
+void keepBrick(inout Progress progress, Brick brick, Stretch stretch)
+{
+  if (progress.at >= stretch.entry)
+  {
+    progress.brick = brick;
+  }
 }
 
 // To the last point of what looks all the same.

@@ -125,7 +125,7 @@ TEST(Curvature, AgreesWithTheReference)
 // places.
 TEST(Curvature, ConvergesWithTheSquareOfTheSpacing)
 {
-  for (const char* name : { "ellipsoid", "torus", "cylinder", "saddle", "Gaussians" })
+  for (const char* name : { "ellipsoid", "torus", "cylinder", "saddle", "gyroid", "Gaussians" })
   {
     for (int filter : { Mapper::LINEAR, Mapper::CUBIC_B_SPLINE })
     {

@@ -4,6 +4,7 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
+#include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ void ShowField(Scene& scene, const CurvatureField& field, int n)
     });
   image->SetSpacing(spacing, spacing, spacing);
   image->SetOrigin(-1.0, -1.0, -1.0);
-  scene.SetVolume(image, 0.5 * spacing);
+  scene.SetVolume(image, 0.25 * spacing);
   scene.SetOpacity({ { -1e3, 1.0 }, { 1e3, 1.0 } });
   scene.Mapper->SetBlendMode(vtkVolumeMapper::ISOSURFACE_BLEND);
   scene.Property->GetIsoSurfaceValues()->SetValue(0, 0.0);
@@ -68,9 +69,11 @@ ReferenceFilter GetFilter(Scene& scene)
 
 std::vector<CurvaturePixel> FindPixels(Scene& scene, const SampledField& field, double margin)
 {
-  const auto surface = FindSurface(field, GetReferenceView(scene), 0.0);
+  constexpr double LeastCosine = 0.2;
+  const ReferenceView view = GetReferenceView(scene);
+  const auto surface = FindSurface(field, view, 0.0);
   std::vector<CurvaturePixel> pixels;
-  for (std::size_t i = 0; i < surface.size(); ++i)
+  for (int i = 0; i < static_cast<int>(surface.size()); ++i)
   {
     const std::array<double, 3> point = { surface[i][1], surface[i][2], surface[i][3] };
     bool isInside = surface[i][0] > 0.0;
@@ -79,9 +82,14 @@ std::vector<CurvaturePixel> FindPixels(Scene& scene, const SampledField& field, 
       isInside =
         isInside && point[axis] >= margin && point[axis] <= field.GetSamples()[axis] - 1 - margin;
     }
-    if (isInside)
+    const auto sight = MakeReferenceRay(view, i % view.Width, i / view.Width).second;
+    const double direction[3] = { static_cast<double>(sight[0]), static_cast<double>(sight[1]),
+      static_cast<double>(sight[2]) };
+    const auto gradient = field.GetDerivatives(point).Gradient;
+    const double lengths = vtkMath::Norm(direction) * vtkMath::Norm(gradient.data());
+    if (isInside && std::abs(vtkMath::Dot(direction, gradient.data())) > LeastCosine * lengths)
     {
-      pixels.push_back({ static_cast<int>(i), point });
+      pixels.push_back({ i, point });
     }
   }
   return pixels;

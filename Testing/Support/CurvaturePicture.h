@@ -24,7 +24,9 @@ struct CurvaturePixel
   double Value = 0.0;               ///< of the mapper
 };
 
-/// Pixels whose ray meets the surface 0, at least so many samples from all faces.
+/// Pixels whose ray meets the surface 0, at least so many samples from all faces, at an angle of 12
+/// degrees or more: where it is grazed, rounding decides whether. Samples as far apart along all
+/// axes.
 std::vector<CurvaturePixel> FindPixels(
   Scene& scene, const SampledField& field, double margin = 2.0);
 

@@ -18,24 +18,28 @@ const std::array<int, 3> Count = { 4, 2, 2 };
 constexpr int Cells = 4;
 
 template <typename T>
-std::vector<CellRange> Compute(const std::vector<T>& samples, const CellScale& scale)
+std::vector<CellRange> Compute(
+  const std::vector<T>& samples, const CellScale& scale, int around = 0)
 {
   std::vector<CellRange> ranges(Count[0] * Count[1] * Count[2]);
-  flatblock::ComputeCellRanges(samples.data(), Dims, Cells, Count, scale, ranges.data());
+  flatblock::ComputeCellRanges(samples.data(), Dims, Cells, around, Count, scale, ranges.data());
   return ranges;
 }
 
-// All samples of a cube, both of its borders among them.
+// All samples of a cube, both of its borders among them, and so many around it.
 template <typename T, typename Action>
-void ForSamples(const std::vector<T>& samples, int cube, const Action& action)
+void ForSamples(const std::vector<T>& samples, int cube, const Action& action, int around = 0)
 {
   const std::array<int, 3> first = { cube % Count[0] * Cells, cube / Count[0] % Count[1] * Cells,
     cube / (Count[0] * Count[1]) * Cells };
-  for (int z = first[2]; z <= std::min(first[2] + Cells, Dims[2] - 1); ++z)
+  for (int z = std::max(first[2] - around, 0);
+       z <= std::min(first[2] + Cells + around, Dims[2] - 1); ++z)
   {
-    for (int y = first[1]; y <= std::min(first[1] + Cells, Dims[1] - 1); ++y)
+    for (int y = std::max(first[1] - around, 0);
+         y <= std::min(first[1] + Cells + around, Dims[1] - 1); ++y)
     {
-      for (int x = first[0]; x <= std::min(first[0] + Cells, Dims[0] - 1); ++x)
+      for (int x = std::max(first[0] - around, 0);
+           x <= std::min(first[0] + Cells + around, Dims[0] - 1); ++x)
       {
         action(samples[(std::size_t(z) * Dims[1] + y) * Dims[0] + x]);
       }
@@ -53,19 +57,24 @@ TEST(CellRanges, AreExactForIntegers)
     sample = static_cast<std::int16_t>(int(random() % 65536U) - 32768);
   }
   const CellScale scale = { -32768.0, 1.0 };
-  const std::vector<CellRange> ranges = Compute(samples, scale);
-  for (int cube = 0; cube < int(ranges.size()); ++cube)
+  for (int around = 0; around < 3; ++around)
   {
-    int lowest = 40000;
-    int highest = -40000;
-    ForSamples(samples, cube,
-      [&](int sample)
-      {
-        lowest = std::min(lowest, sample);
-        highest = std::max(highest, sample);
-      });
-    EXPECT_EQ(scale.GetValue(ranges[cube].Lowest), lowest);
-    EXPECT_EQ(scale.GetValue(ranges[cube].Highest), highest);
+    const std::vector<CellRange> ranges = Compute(samples, scale, around);
+    for (int cube = 0; cube < int(ranges.size()); ++cube)
+    {
+      int lowest = 40000;
+      int highest = -40000;
+      ForSamples(
+        samples, cube,
+        [&](int sample)
+        {
+          lowest = std::min(lowest, sample);
+          highest = std::max(highest, sample);
+        },
+        around);
+      EXPECT_EQ(scale.GetValue(ranges[cube].Lowest), lowest);
+      EXPECT_EQ(scale.GetValue(ranges[cube].Highest), highest);
+    }
   }
 }
 
