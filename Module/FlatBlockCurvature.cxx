@@ -7,7 +7,9 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace flatblock
@@ -15,6 +17,8 @@ namespace flatblock
 namespace
 {
 constexpr int Entries = 1024;
+// From 0 to 1: what sums of 64 texels make of a float's 2^-24.
+constexpr double LeastStep = 0x1p-22;
 
 // The power of length that it is measured in.
 int GetDimension(CurvatureFunction function)
@@ -27,20 +31,6 @@ int GetDimension(CurvatureFunction function)
     return 0;
   default:
     return -1;
-  }
-}
-
-// Of all texels at once, from 0 to 1.
-double GetQuantum(TexelFormat format)
-{
-  switch (format)
-  {
-  case TexelFormat::Unsigned8:
-    return 1.0 / 255.0;
-  case TexelFormat::Unsigned16:
-    return 1.0 / 65535.0;
-  default:
-    return 0x1p-22; // and what sums of 64 make of 2^-24
   }
 }
 
@@ -84,6 +74,11 @@ std::array<double, 2> GetNaturalRange(CurvatureFunction function, double smalles
   return { HasSign(function) ? -most : 0.0, most };
 }
 
+std::int64_t GetCurvatureTableBytes()
+{
+  return 4 * Entries * static_cast<std::int64_t>(sizeof(float));
+}
+
 FunctionTable MakeCurvatureTable(
   CurvatureFunction function, vtkColorTransferFunction* color, vtkPiecewiseFunction* opacity)
 {
@@ -100,11 +95,17 @@ FunctionTable MakeCurvatureTable(
   {
     opacity->GetTable(opacity->GetRange()[0], opacity->GetRange()[1], Entries, shares.data());
   }
+  const auto isFinite = [](float value) { return std::isfinite(value); };
+  if (!std::all_of(colors.begin(), colors.end(), isFinite) ||
+      !std::all_of(shares.begin(), shares.end(), isFinite))
+  {
+    throw std::runtime_error("CurvatureColor or CurvatureOpacity has a value that is not finite.");
+  }
   FunctionTable table = { Entries, 1, {} };
   for (int i = 0; i < Entries; ++i)
   {
     table.Texels.insert(table.Texels.end(), &colors[3 * i], &colors[3 * i] + 3);
-    table.Texels.push_back(shares[i]);
+    table.Texels.push_back(std::clamp(shares[i], 0.0F, 1.0F));
   }
   return table;
 }
@@ -116,7 +117,8 @@ void SetCurvature(vtkShaderProgram* program, vtkMatrix4x4* sampleToDataSet,
   vtkMatrix4x4::Invert(sampleToDataSet, slopes);
   slopes->Transpose();
   SetDirections(program, "in_SlopeToLength", slopes, 1.0 / sampling.UnitOfLength);
-  program->SetUniformf("in_SteadySlope", static_cast<float>(2.0 * GetQuantum(encoding.Format)));
+  program->SetUniformf(
+    "in_SteadySlope", static_cast<float>(2.0 * std::max(encoding.Step, LeastStep)));
   if (sampling.Curvature != CurvatureFunction::None)
   {
     SetTable(program, sampling);

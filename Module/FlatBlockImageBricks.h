@@ -22,19 +22,35 @@ template <typename T>
 using TexelOf = std::conditional_t<!std::is_integral_v<T> || (sizeof(T) > 2), float,
   std::conditional_t<sizeof(T) == 1, std::uint8_t, std::uint16_t>>;
 
+/// What samples are rounded by. Those of a narrow range are taken as if it had the values of a
+/// byte: or else a mask of 0 and 1 would be nothing but rounding.
+template <typename T>
+double GetStep(const ValueRange& range)
+{
+  return std::is_integral_v<T> ? std::min(1.0, (range.Highest - range.Lowest) / 255.0) : 0.0;
+}
+
+template <typename T>
+TexelEncoding MakeFloatEncoding(const ValueRange& range)
+{
+  const double span = range.Highest - range.Lowest;
+  const double scale = span > 0.0 ? span : 1.0;
+  return { TexelFormat::Float32, range.Lowest, scale, GetStep<T>(range) / scale };
+}
+
 template <typename T>
 TexelEncoding MakeEncoding(const ValueRange& range)
 {
   using Texel = TexelOf<T>;
   if constexpr (std::is_same_v<Texel, float>)
   {
-    const double span = range.Highest - range.Lowest;
-    return { TexelFormat::Float32, range.Lowest, span > 0.0 ? span : 1.0 };
+    return MakeFloatEncoding<T>(range);
   }
   else
   {
     const auto format = sizeof(T) == 1 ? TexelFormat::Unsigned8 : TexelFormat::Unsigned16;
-    return { format, range.Lowest, static_cast<double>(std::numeric_limits<Texel>::max()) };
+    const auto scale = static_cast<double>(std::numeric_limits<Texel>::max());
+    return { format, range.Lowest, scale, GetStep<T>(range) / scale };
   }
 }
 
@@ -119,18 +135,15 @@ private:
   LevelFilter Filter;
 };
 
-/// Bricks of the coefficients of the cubic B-spline that interpolates the samples of a level:
+/// Bricks of the coefficients of the cubic B-spline that interpolates samples at a level's stride:
 /// floats, of which 0 and 1 are the ends of the samples' range. Samples are finite.
 template <typename T>
 class CoefficientBricks : public BrickSource
 {
 public:
-  CoefficientBricks(
-    const BlockGrid& grid, const T* samples, const ValueRange& range, LevelFilter filter)
-    : Grid(grid), Samples(samples), Filter(filter)
+  CoefficientBricks(const BlockGrid& grid, const T* samples, const ValueRange& range)
+    : Grid(grid), Samples(samples), Encoding(MakeFloatEncoding<T>(range))
   {
-    const double span = range.Highest - range.Lowest;
-    this->Encoding = { TexelFormat::Float32, range.Lowest, span > 0.0 ? span : 1.0 };
   }
 
   const BlockGrid& GetGrid() const override { return this->Grid; }
@@ -145,16 +158,8 @@ public:
     const Index3 first = GetFirstAround(this->Grid, block, level, around);
     const TexelEncoder<T, float> encode(this->Encoding.Offset, this->Encoding.Scale);
     std::vector<float> window(static_cast<std::size_t>(side) * side * side);
-    if (this->Filter == LevelFilter::Subsample)
-    {
-      CopyBrick(
-        this->Samples, this->Grid.GetSamples(), first, side, 1 << level, encode, window.data());
-    }
-    else
-    {
-      BrickFilter<T, float>(this->Samples, this->Grid.GetSamples(), encode)
-        .Read(first, side, 1 << level, window.data());
-    }
+    CopyBrick(
+      this->Samples, this->Grid.GetSamples(), first, side, 1 << level, encode, window.data());
     InterpolateBySpline(window, side);
     const int inner = this->Grid.GetTexelSide(level);
     auto* brick = static_cast<float*>(texels);
@@ -170,6 +175,5 @@ private:
   BlockGrid Grid;
   const T* Samples;
   TexelEncoding Encoding;
-  LevelFilter Filter;
 };
 } // namespace flatblock

@@ -56,7 +56,9 @@ bool vtkFlatBlockBuilder::Update(vtkFlatBlockScalars* scalars, int blockSize, co
   this->BuiltBricks = bricks;
   if (areNewRanges)
   {
-    this->WidenShownRanges();
+    this->ShownRanges = this->WidenRanges(bricks.MayBeSpline ? 1 : 0, this->GetOvershoot());
+    this->CellsPerRange = 0;
+    this->ShownTime.Modified();
   }
   switch (this->Scalars->GetDataType())
   {
@@ -114,6 +116,12 @@ void vtkFlatBlockBuilder::BuildRanges(const T* samples)
     CountNonFinite(samples, this->Scalars->GetNumberOfValues(), this->BlockRanges);
 }
 
+bool vtkFlatBlockBuilder::HasIntegers() const
+{
+  const int type = this->Scalars->GetDataType();
+  return type != VTK_FLOAT && type != VTK_DOUBLE && this->Scalars->GetDataTypeSize() <= 2;
+}
+
 double vtkFlatBlockBuilder::GetOvershoot() const
 {
   // A cubic spline that interpolates values within [-1, 1] stays within [-1.55, 1.55] along a line,
@@ -122,27 +130,24 @@ double vtkFlatBlockBuilder::GetOvershoot() const
   return this->BuiltBricks.MayInterpolate && this->NonFiniteSamples == 0 ? 0.5 * (Most - 1.0) : 0.0;
 }
 
-void vtkFlatBlockBuilder::WidenShownRanges()
+// Of blocks with others around, and of what overshoots their samples.
+std::vector<flatblock::ValueRange> vtkFlatBlockBuilder::WidenRanges(
+  int blocksAround, double overshoot) const
 {
-  this->ShownRanges = this->BlockRanges;
-  if (this->BuiltBricks.MayBeSpline)
-  {
-    flatblock::Coarsen(this->Grid.GetBlocks(), { 1, 1 }, this->ShownRanges,
-      [](const flatblock::ValueRange& a, const flatblock::ValueRange& b) -> flatblock::ValueRange
-      {
-        return { std::min(a.Lowest, b.Lowest), std::max(a.Highest, b.Highest),
-          a.HasHoles || b.HasHoles };
-      });
-    for (flatblock::ValueRange& range : this->ShownRanges)
+  std::vector<flatblock::ValueRange> ranges = this->BlockRanges;
+  flatblock::Coarsen(this->Grid.GetBlocks(), { 1, blocksAround }, ranges,
+    [](const flatblock::ValueRange& a, const flatblock::ValueRange& b) -> flatblock::ValueRange
     {
-      const double beyond =
-        range.IsEmpty() ? 0.0 : this->GetOvershoot() * (range.Highest - range.Lowest);
-      range.Lowest -= beyond;
-      range.Highest += beyond;
-    }
+      return { std::min(a.Lowest, b.Lowest), std::max(a.Highest, b.Highest),
+        a.HasHoles || b.HasHoles };
+    });
+  for (flatblock::ValueRange& range : ranges)
+  {
+    const double beyond = range.IsEmpty() ? 0.0 : overshoot * (range.Highest - range.Lowest);
+    range.Lowest -= beyond;
+    range.Highest += beyond;
   }
-  this->CellsPerRange = 0;
-  this->ShownTime.Modified();
+  return ranges;
 }
 
 template <typename T>
@@ -152,28 +157,29 @@ void vtkFlatBlockBuilder::BuildSource(const T* samples)
     this->Grid.GetSamples(), this->Grid.GetSamplesPerBlock(), this->BuiltBricks.Apron);
   if (this->BuiltBricks.AreCoefficients && this->NonFiniteSamples == 0)
   {
-    this->Source = std::make_unique<flatblock::CoefficientBricks<T>>(
-      grid, samples, this->Range, this->BuiltBricks.Filter);
+    this->Source = std::make_unique<flatblock::CoefficientBricks<T>>(grid, samples, this->Range);
     return;
   }
   this->Source = std::make_unique<flatblock::ImageBricks<T>>(
     grid, samples, flatblock::MakeEncoding<T>(this->Range), this->BuiltBricks.Filter);
 }
 
-// What a filter and an apron take from around a block is of its neighbours' ranges.
+// An apron takes samples from a block away, and means those around from another.
 std::vector<flatblock::TexelRange> vtkFlatBlockBuilder::GetTexelRanges() const
 {
   const flatblock::TexelEncoding& encoding = this->Source->GetEncoding();
-  std::vector<flatblock::TexelRange> ranges(this->ShownRanges.size());
-  std::transform(this->ShownRanges.begin(), this->ShownRanges.end(), ranges.begin(),
+  const int around = (this->BuiltBricks.Filter == flatblock::LevelFilter::Tent ? 1 : 0) +
+                     (this->BuiltBricks.Apron > 0 ? 1 : 0);
+  const std::vector<flatblock::ValueRange> values =
+    this->WidenRanges(around, this->BuiltBricks.AreCoefficients ? this->GetOvershoot() : 0.0);
+  std::vector<flatblock::TexelRange> ranges(values.size());
+  std::transform(values.begin(), values.end(), ranges.begin(),
     [&encoding](const flatblock::ValueRange& range) -> flatblock::TexelRange
     {
       return { static_cast<float>((range.Lowest - encoding.Offset) / encoding.Scale),
         static_cast<float>((range.Highest - range.Lowest) / encoding.Scale) };
     });
-  const bool isWidened =
-    this->BuiltBricks.Filter == flatblock::LevelFilter::Tent || this->BuiltBricks.Apron > 0;
-  return isWidened ? flatblock::WidenRanges(this->Grid.GetBlocks(), ranges) : ranges;
+  return ranges;
 }
 
 void vtkFlatBlockBuilder::Quantize()

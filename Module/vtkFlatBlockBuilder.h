@@ -71,10 +71,7 @@ public:
   /// Of the texels that a block may show; a block without a finite sample has an extent below 0.
   std::vector<flatblock::TexelRange> GetTexelRanges() const;
 
-  bool HasIntegers() const
-  {
-    return this->Source->GetEncoding().Format != flatblock::TexelFormat::Float32;
-  }
+  bool HasIntegers() const;
   /// Of finite samples.
   const std::vector<flatblock::ValueRange>& GetBlockRanges() const { return this->BlockRanges; }
   /// Of what is between them, too; and when these last changed.
@@ -126,10 +123,10 @@ private:
   std::string ComputeDistortionOf(const T* samples, const std::vector<std::int64_t>& blocks,
     int levels, const flatblock::ClassifiedTable& table, int threads, bool useCuda,
     float* distortion, flatblock::BlockSummary* summaries);
+  std::vector<flatblock::ValueRange> WidenRanges(int blocksAround, double overshoot) const;
   bool AreBlocksCurrent(vtkFlatBlockScalars* scalars, int blockSize) const;
   void BuildBlocks(vtkFlatBlockScalars* scalars, int blockSize);
 
-  void WidenShownRanges();
   template <typename T>
   void BuildRanges(const T* samples);
 

@@ -54,7 +54,9 @@ public:
    * Whether the B-spline goes through the samples (Sigg and Hadwiger's prefilter), or has them for
    * its coefficients (default: off), which smooths. Bricks then hold coefficients, in floats,
    * whatever AtlasPrecision says, and are uploaded again where the filter changes between moving
-   * and still pictures. For one component without a mask whose samples are all finite.
+   * and still pictures; those of coarser levels go through samples, whatever LevelFilter says. For
+   * one component without a mask whose samples are all finite; but for PreInterpolation and normals
+   * from opacity, which classify samples.
    */
   vtkSetMacro(InterpolatingBSpline, bool);
   vtkGetMacro(InterpolatingBSpline, bool);
@@ -100,8 +102,10 @@ public:
    * ShapeIndex 2/pi atan((k1 + k2)/(k1 - k2)) from -1 (cup) by -0.5 (rut), 0 (saddle) and 0.5
    * (ridge) to 1 (cap); Curvedness sqrt((k1^2 + k2^2)/2) (both of Koenderink and van Doorn, 1992);
    * LineFeature |k1| - |k2| where the mean is positive, else that too, negative where the surface
-   * is a groove: 0 on planes, balls and saddles, 1/radius on a tube. Where the gradient vanishes
-   * all are 0.
+   * is a groove: 0 on planes, balls and saddles, 1/radius on a tube. All fade to 0
+   * where the gradient may be rounding of the samples: to a half of what they are where it is two
+   * steps of integers a spacing, or 2/255 of their range where that is less, and 2^-21 of the range
+   * of floats.
    */
   vtkSetClampMacro(CurvatureFunction, int, NO_CURVATURE, LINE_FEATURE);
   vtkGetMacro(CurvatureFunction, int);
@@ -130,7 +134,8 @@ public:
   ///@{
   /**
    * A share of the property's opacity over the function's value, from 0 to 1, stretched like
-   * CurvatureColor: matter is as many times less dense. Default: none, all of it.
+   * CurvatureColor: matter is as many times less dense. Light that is scattered is absorbed as if
+   * all of it were there. Default: none, all of it. A value that is not finite is an error.
    */
   virtual void SetCurvatureOpacity(vtkPiecewiseFunction* opacity);
   virtual vtkPiecewiseFunction* GetCurvatureOpacity();

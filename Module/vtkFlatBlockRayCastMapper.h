@@ -257,7 +257,8 @@ public:
    * Of texels in the atlas: as they are (NATIVE, default), or of 8 bits on a scale of each block's
    * own range, so that a sample is off by at most 1/510 of that range; or of 4 bits (1/30) or 1 bit
    * (1/2), which take 8 bits as well. The range is that of the blocks around it, too, where levels
-   * are filtered or the property shades. Anything else is refused with an error. Volumes with
+   * are filtered, and where shading, gradients, curvature or a B-spline reach for samples around
+   * it. Anything else is refused with an error. Volumes with
    * samples that are not finite are drawn as they are.
    */
   void SetAtlasPrecision(int precision);

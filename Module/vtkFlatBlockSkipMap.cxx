@@ -57,6 +57,16 @@ std::vector<flatblock::CellRange> Widen(const flatblock::Index3& cubes,
   return ranges;
 }
 
+std::vector<flatblock::CellRange> GetRanges(vtkFlatBlockBuilder* builder,
+  const vtkFlatBlockSkipMap::Settings& settings, const flatblock::Index3& cubes,
+  const flatblock::Coarsening& coarsening)
+{
+  const double overshoot = settings.IsSpline ? builder->GetOvershoot() : 0.0;
+  return overshoot > 0.0
+           ? Widen(cubes, coarsening, overshoot, builder->GetCellRanges(settings.Cells))
+           : builder->GetCellRanges(settings.Cells);
+}
+
 // What is transparent in one may be seen in another.
 void Combine(
   std::vector<flatblock::SkipMap::Kind>&& kinds, std::vector<flatblock::SkipMap::Kind>& all)
@@ -120,12 +130,9 @@ void vtkFlatBlockSkipMap::Update(const std::vector<Part>& parts,
   std::vector<flatblock::SkipMap::Kind> kinds;
   for (const Part& part : parts)
   {
-    const double overshoot = settings.IsSpline ? part.Builder->GetOvershoot() : 0.0;
-    Combine(Classify(overshoot > 0.0 ? Widen(grid.Cubes, coarsening, overshoot,
-                                         part.Builder->GetCellRanges(cells))
-                                     : part.Builder->GetCellRanges(cells),
-              part.Builder->GetCellScale(), part.Function->GetDecisiveValues()),
-      kinds);
+    const auto ranges = GetRanges(part.Builder, settings, grid.Cubes, coarsening);
+    Combine(
+      Classify(ranges, part.Builder->GetCellScale(), part.Function->GetDecisiveValues()), kinds);
   }
   if (!settings.LeapsMatter)
   {
@@ -149,11 +156,13 @@ void vtkFlatBlockSkipMap::UpdateReach(vtkFlatBlockBuilder* builder, const Settin
     this->Reach.clear();
     return;
   }
-  if (!this->Reach.empty() && builder->GetMTime() < this->ReachTime && this->ReachUsed == settings)
+  const vtkMTimeType edited = std::max(builder->GetMTime(), builder->GetShownTime());
+  if (!this->Reach.empty() && edited < this->ReachTime && this->ReachUsed == settings)
   {
     return;
   }
-  const std::vector<flatblock::CellRange>& cells = builder->GetCellRanges(settings.Cells);
+  const std::vector<flatblock::CellRange> cells =
+    GetRanges(builder, settings, grid.Cubes, coarsening);
   std::vector<flatblock::CubeRange> ranges(cells.size());
   std::transform(cells.begin(), cells.end(), ranges.begin(),
     [](const flatblock::CellRange& range) -> flatblock::CubeRange {

@@ -130,7 +130,8 @@ public:
    * them: so what hides behind opaque matter leaves the memory to what is seen. A block that is
    * seen at all is never taken for hidden, so that only matter that fills whole blocks hides
    * others; the opacity is that of the values in a block, for integers of 8 and 16 bit at the
-   * integers. Does nothing in stereo, nor with sheared or off-axis cameras. Default: off.
+   * integers. Does nothing in stereo, with sheared or off-axis cameras, nor where gradients or
+   * curvature change the opacity. Default: off.
    */
   vtkSetMacro(VisibilityWeighting, bool);
   vtkGetMacro(VisibilityWeighting, bool);

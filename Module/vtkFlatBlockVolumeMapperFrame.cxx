@@ -145,7 +145,8 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
   bricks.Bits = in.IsPlain() ? this->AtlasPrecision : NATIVE;
   bricks.Apron = in.Sampling.GetApron();
   bricks.MayBeSpline = in.Sampling.MayBeSpline;
-  bricks.MayInterpolate = bricks.MayBeSpline && this->InterpolatingBSpline && in.IsPlain();
+  bricks.MayInterpolate =
+    bricks.MayBeSpline && this->InterpolatingBSpline && in.IsPlain() && !in.Sampling.ReadsSamples();
   bricks.AreCoefficients =
     bricks.MayInterpolate && in.Sampling.Filter == flatblock::ReconstructionFilter::CubicBSpline;
   if (in.UpdateBuilders(this->BlockSize, bricks))
@@ -209,7 +210,7 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
     flatblock::GetVolumeView(renderer, volume, this, in.Input, point);
   const bool isWeighted = isLimited && this->VisibilityWeighting && view.HasPlainCamera &&
                           in.Sampling.Blending.IsComposite() && !in.Sampling.HasGradientTable() &&
-                          in.IsPlain();
+                          !in.Sampling.HasCurvatureOpacity && in.IsPlain();
   if (isWeighted)
   {
     in.UpdateClassified();

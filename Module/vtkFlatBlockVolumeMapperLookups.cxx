@@ -62,8 +62,7 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateGradientTable()
 vtkTypeInt64 vtkFlatBlockVolumeMapper::vtkInternals::GetCurvatureTableBytes() const
 {
   return this->Sampling.Curvature != flatblock::CurvatureFunction::None
-           ? vtkOpenGLFlatBlockFunctionTexture::GetBytes(
-               flatblock::MakeCurvatureTable(this->Sampling.Curvature, nullptr, nullptr))
+           ? flatblock::GetCurvatureTableBytes()
            : 0;
 }
 

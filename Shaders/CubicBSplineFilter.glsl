@@ -40,6 +40,9 @@ Texel texelOf(Brick brick, vec3 position)
 }
 
 #ifdef FLATBLOCK_DERIVATIVES
+const bool HasCorners = true; // of 4 x 4 x 4 texels
+const bool IsCentral = false; // differences, but derivatives
+
 mat3x4 weightsBetween(float a)
 {
   float b = 1.0 - a;

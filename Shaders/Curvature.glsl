@@ -3,7 +3,7 @@
 // spacing.
 
 uniform mat3 in_SlopeToLength;      // gradients from samples to lengths
-uniform float in_SteadySlope;       // and bend, below which both may be rounding of the texels
+uniform float in_SteadySlope;       // and bend, of which half may be rounding of the samples
 #ifdef FLATBLOCK_CURVATURE
 uniform sampler2D in_CurvatureTable; // colour, and share of the opacity
 uniform vec2 in_CurvatureToTable;   // scale and offset to positions from 0 to 1
@@ -147,6 +147,7 @@ float silhouetteAt(Curvature c)
     max(c.slope * dot(along, along), 1e-30);
   float across = min(in_SilhouetteWidth * bend, 1.0);
   float edge = sqrt(across * (2.0 - across));
-  return 1.0 - smoothstep(0.8, 1.2, abs(facing) / max(edge, 1e-6));
+  float outline = 1.0 - smoothstep(0.8, 1.2, abs(facing) / max(edge, 1e-6));
+  return edge > 1e-6 ? outline * c.trust : 0.0;
 }
 #endif

@@ -31,25 +31,31 @@ float differenceAt(Brick brick, ivec3 at, float middle, inout bool isWhole)
   return texel - middle;
 }
 
-vec3 rowAt(Brick brick, ivec3 first, mat3x4 alongX, float middle, inout bool isWhole)
+// One at the edge of the 4 x 4 has the corners, which some filters have no weight for.
+vec3 rowAt(
+  Brick brick, ivec3 first, mat3x4 alongX, float middle, bool isAtEdge, inout bool isWhole)
 {
-  vec4 texels;
-  texels.x = differenceAt(brick, first, middle, isWhole);
+  vec4 texels = vec4(0.0);
+  if (HasCorners || !isAtEdge)
+  {
+    texels.x = differenceAt(brick, first, middle, isWhole);
+    texels.w = differenceAt(brick, first + ivec3(3, 0, 0), middle, isWhole);
+  }
   texels.y = differenceAt(brick, first + ivec3(1, 0, 0), middle, isWhole);
   texels.z = differenceAt(brick, first + ivec3(2, 0, 0), middle, isWhole);
-  texels.w = differenceAt(brick, first + ivec3(3, 0, 0), middle, isWhole);
   return texels * alongX;
 }
 
 // Written out and not as loops: some drivers end a shader that turns too often.
-Moments planeAt(Brick brick, ivec3 first, mat3x4 alongX, mat3x4 alongY, float middle)
+Moments planeAt(
+  Brick brick, ivec3 first, mat3x4 alongX, mat3x4 alongY, float middle, bool isOuter)
 {
   Moments found;
   found.isWhole = true;
-  vec3 a = rowAt(brick, first, alongX, middle, found.isWhole);
-  vec3 b = rowAt(brick, first + ivec3(0, 1, 0), alongX, middle, found.isWhole);
-  vec3 c = rowAt(brick, first + ivec3(0, 2, 0), alongX, middle, found.isWhole);
-  vec3 d = rowAt(brick, first + ivec3(0, 3, 0), alongX, middle, found.isWhole);
+  vec3 a = rowAt(brick, first, alongX, middle, isOuter, found.isWhole);
+  vec3 b = rowAt(brick, first + ivec3(0, 1, 0), alongX, middle, false, found.isWhole);
+  vec3 c = rowAt(brick, first + ivec3(0, 2, 0), alongX, middle, false, found.isWhole);
+  vec3 d = rowAt(brick, first + ivec3(0, 3, 0), alongX, middle, isOuter, found.isWhole);
   found.values = mat4x3(a, b, c, d) * alongY[0];
   found.slopes = mat4x2(a.xy, b.xy, c.xy, d.xy) * alongY[1];
   found.bend = dot(vec4(a.x, b.x, c.x, d.x), alongY[2]);
@@ -66,10 +72,10 @@ Derivatives derivativesFrom(Brick brick, ivec3 cell, vec3 share)
 #ifdef FLATBLOCK_HOLES
   middle = isHole(middle) ? 0.0 : middle;
 #endif
-  Moments a = planeAt(brick, first, alongX, alongY, middle);
-  Moments b = planeAt(brick, first + ivec3(0, 0, 1), alongX, alongY, middle);
-  Moments c = planeAt(brick, first + ivec3(0, 0, 2), alongX, alongY, middle);
-  Moments d = planeAt(brick, first + ivec3(0, 0, 3), alongX, alongY, middle);
+  Moments a = planeAt(brick, first, alongX, alongY, middle, true);
+  Moments b = planeAt(brick, first + ivec3(0, 0, 1), alongX, alongY, middle, false);
+  Moments c = planeAt(brick, first + ivec3(0, 0, 2), alongX, alongY, middle, false);
+  Moments d = planeAt(brick, first + ivec3(0, 0, 3), alongX, alongY, middle, true);
   vec3 values = mat4x3(a.values, b.values, c.values, d.values) * alongZ[0];
   vec2 slopes = mat4x2(a.slopes, b.slopes, c.slopes, d.slopes) * alongZ[0];
   float bend = dot(vec4(a.bend, b.bend, c.bend, d.bend), alongZ[0]);
@@ -80,26 +86,29 @@ Derivatives derivativesFrom(Brick brick, ivec3 cell, vec3 share)
     vec3(slopesOfZ.z, slopesOfZ.y, slopes.y), a.isWhole && b.isWhole && c.isWhole && d.isWhole);
 }
 
-// Derivatives need a sample on both sides: near the volume's faces those of the nearest place that has
-// them are taken, with what the gradient changes by from there on.
-vec3 middleOfDifferences(Brick brick, vec3 position)
+// Derivatives need a sample on both sides, as far away as the brick's samples are apart, or else as the
+// volume reaches.
+vec3 reachOf(Brick brick)
 {
-  vec3 reach = min(vec3(1.0 / brick.scale), 0.5 * in_LastSample);
-  return clamp(position, reach, in_LastSample - reach);
+  return min(vec3(1.0 / brick.scale), 0.5 * in_LastSample);
 }
 
+// Near the volume's faces those of the nearest place that has them are taken, with what the gradient
+// changes by from there on.
 Derivatives derivativesAt(Brick brick, vec3 position)
 {
   vec3 inBlock =
     clamp(position, brick.first, min(brick.first + float(in_CellsPerBlock), in_LastSample));
-  vec3 middle = middleOfDifferences(brick, inBlock);
+  vec3 reach = reachOf(brick);
+  vec3 middle = clamp(inBlock, reach, in_LastSample - reach);
   vec3 share;
   ivec3 cell = cellOf(brick, middle, share);
   Derivatives found = derivativesFrom(brick, cell, share);
   float scale = brick.scale;
-  found.gradient *= scale;
+  vec3 slopes = IsCentral ? 1.0 / max(reach, 1e-3) : vec3(scale);
+  found.gradient *= slopes;
   found.bend *= scale * scale;
-  found.twist *= scale * scale;
+  found.twist *= slopes.yzx * slopes.zxy;
   vec3 beyond = inBlock - middle;
   found.gradient += found.bend * beyond + found.twist.zxy * beyond.yzx + found.twist.yzx * beyond.zxy;
   return found;

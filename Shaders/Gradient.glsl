@@ -53,8 +53,11 @@ struct Differences
 Texel differedAt(bool ofOpacity, Brick brick, vec3 at)
 {
   Texel texel = texelAt(brick, at);
+#ifdef FLATBLOCK_HOLES
+  ofOpacity = ofOpacity && !isHole(texel);
+#endif
 #ifdef FLATBLOCK_NORMAL_FROM_OPACITY
-  if (ofOpacity && !isHole(texel))
+  if (ofOpacity)
   {
     texel = Texel(opacityOfDepth(matterAtPosition(positionInTable(valueOf(texel))).a));
   }

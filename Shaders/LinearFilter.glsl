@@ -6,6 +6,9 @@ Texel texelOf(Brick brick, vec3 position)
 }
 
 #ifdef FLATBLOCK_DERIVATIVES
+const bool HasCorners = false; // of 4 x 4 x 4 texels
+const bool IsCentral = true;   // differences, which are as wide as two texels are apart
+
 // What four texels along an axis add to the value between the middle two, `a` of the way, and to its
 // derivatives: central differences as far as the texels are apart.
 mat3x4 weightsBetween(float a)

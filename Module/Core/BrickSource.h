@@ -29,6 +29,7 @@ struct TexelEncoding
   TexelFormat Format = TexelFormat::Unsigned8; ///< of each component
   double Offset = 0.0;
   double Scale = 1.0;
+  double Step = 0.0; ///< by which samples, or texels, are rounded; 0: to floats
   int Components = 1;
 };
 

@@ -1,7 +1,5 @@
 #include "QuantizedBricks.h"
 
-#include "Coarsening.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,6 +32,10 @@ QuantizedBricks::QuantizedBricks(
     LastValue((1 << bits) - 1)
 {
   this->Encoding.Format = TexelFormat::Unsigned8;
+  for (const TexelRange& range : this->Ranges)
+  {
+    this->Encoding.Step = std::max(this->Encoding.Step, range.Extent / this->LastValue);
+  }
 }
 
 void QuantizedBricks::ReadBrick(
@@ -55,17 +57,5 @@ void QuantizedBricks::ReadBrick(
   case TexelFormat::Float32:
     return Quantize<float>(whole.data(), count, range, this->LastValue, quantized);
   }
-}
-
-std::vector<TexelRange> WidenRanges(const Index3& blocks, const std::vector<TexelRange>& ranges)
-{
-  std::vector<TexelRange> wide = ranges;
-  Coarsen(blocks, { 1, 1 }, wide,
-    [](const TexelRange& a, const TexelRange& b) -> TexelRange
-    {
-      const float lowest = std::min(a.Lowest, b.Lowest);
-      return { lowest, std::max(a.Lowest + a.Extent, b.Lowest + b.Extent) - lowest };
-    });
-  return wide;
 }
 } // namespace flatblock

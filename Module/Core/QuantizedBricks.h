@@ -30,7 +30,4 @@ private:
   TexelEncoding Encoding;
   double LastValue; // values are 0 to this
 };
-
-/// Ranges that hold those of all blocks around, for levels that are means.
-std::vector<TexelRange> WidenRanges(const Index3& blocks, const std::vector<TexelRange>& ranges);
 } // namespace flatblock

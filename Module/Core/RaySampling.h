@@ -119,6 +119,12 @@ struct RaySampling
   /// Samples around a brick that its values and derivatives reach for.
   int GetApron() const { return this->NeedsGradients() || this->MayBeSpline ? 1 : 0; }
 
+  /// Whether texels are classified by themselves, and so must be samples.
+  bool ReadsSamples() const
+  {
+    return this->Method == Classification::PreInterpolation || this->HasNormalsFromOpacity;
+  }
+
   /// Whether bricks agree with coarser ones at their border, and not with their own samples, which
   /// second derivatives and splines are made of.
   bool MayCoarsenBorders() const { return !this->IsCurved() && !this->MayBeSpline; }

@@ -69,28 +69,6 @@ double MeasureError(const char* name, int n, int filter, int function)
     .Mean;
 }
 
-// A translucent ball of radius 20, in colours of its mean curvature.
-void ShowBall(Scene& scene, const std::array<double, 3>& spacing, vtkImageData* shape = nullptr)
-{
-  const auto image = shape ? vtkSmartPointer<vtkImageData>(shape)
-                           : MakeVolume({ 64, 64, 64 }, VTK_FLOAT,
-                               [&](int x, int y, int z)
-                               {
-                                 return 100.0 - std::hypot((x - 31.5) * spacing[0],
-                                                  (y - 31.5) * spacing[1], (z - 31.5) * spacing[2]);
-                               });
-  image->SetSpacing(spacing.data());
-  scene.SetVolume(image, 0.25);
-  scene.SetOpacity({ { 79.0, 0.0 }, { 80.0, 0.4 }, { 81.0, 0.0 } });
-  scene.Mapper->SetCurvatureFunctionToMean();
-  scene.Mapper->SetBlockSize(17);
-  scene.LookFrom(30.0, 40.0, 1.2);
-}
-
-std::array<double, 4> GetCenter(const Picture& picture, int width)
-{
-  return picture[picture.size() / 2 + width / 2];
-}
 } // namespace
 
 TEST(Curvature, AgreesWithTheReference)
@@ -161,10 +139,7 @@ TEST(Curvature, IsThatOfTheDataSetsLengths)
       scene.Mapper->SetReconstructionFilter(filter);
       scene.Volume->SetScale(0.5, 2.0, 1.0); // not the data set's
       scene.LookFrom(30.0, 40.0, 1.2);
-      vtkNew<vtkColorTransferFunction> gray;
-      gray->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
-      gray->AddRGBPoint(1.0, 1.0, 1.0, 1.0);
-      scene.Mapper->SetCurvatureColor(gray);
+      scene.Mapper->SetCurvatureColor(MakeGray(0.0, 1.0));
       scene.Mapper->SetCurvatureRange(0.0, 2.0 / radius);
       const auto pixel = GetCenter(DrawFloats(scene), 256);
       ASSERT_GT(pixel[3], 0.1);
@@ -184,10 +159,7 @@ TEST(Curvature, TurnsWithTheDirectionOfTheData)
   image->SetDirectionMatrix(c, -c, 0.0, c, c, 0.0, 0.0, 0.0, 1.0);
   scene.LookFrom(30.0, 40.0, 1.2);
   const auto pixel = GetCenter(DrawFloats(scene), 256);
-  vtkNew<vtkColorTransferFunction> gray;
-  gray->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
-  gray->AddRGBPoint(1.0, 1.0, 1.0, 1.0);
-  scene.Mapper->SetCurvatureColor(gray);
+  scene.Mapper->SetCurvatureColor(MakeGray(0.0, 1.0));
   const auto measured = GetCenter(DrawFloats(scene), 256);
   ASSERT_GT(pixel[3], 0.1);
   EXPECT_NEAR(measured[0] / measured[3], 0.5, 0.02);
@@ -200,143 +172,15 @@ TEST(Curvature, DoesNotShowBlocks)
     for (const bool isShaded : { false, true })
     {
       Scene scene;
-      scene.SetVolume(MakeWaves(), 0.2);
-      scene.SetOpacity({ { 500.0, 0.0 }, { 650.0, 0.2 } });
+      ShowCloud(scene);
       scene.Property->SetShade(isShaded);
       scene.Mapper->SetReconstructionFilter(filter);
       scene.Mapper->SetCurvatureFunctionToShapeIndex();
-      scene.Mapper->SetBlockSize(17);
-      scene.LookFrom(30.0, 40.0, 1.3);
       const Picture blocks = DrawFloats(scene);
       scene.Mapper->SetBlockSize(65);
       scene.Mapper->SetSkipping(Mapper::SKIP_NOTHING);
       EXPECT_LT(LargestDifference(DrawFloats(scene), blocks), 1.0 / 255.0);
     }
-  }
-}
-
-TEST(Curvature, IsNeutralWhereThereIsNone)
-{
-  const std::function<double(int, int, int)> fields[] = { [](int, int, int) { return 5.0; },
-    [](int x, int y, int z)
-    { return x % 31 == 0 ? 100.0 * (x > 0 ? 1 : 0) : 3.0 * x + 2.0 * y - z; },
-    [](int x, int, int) { return std::max(x - 10, 0) * 7.0; } };
-  for (int filter : { Mapper::LINEAR, Mapper::CUBIC_B_SPLINE })
-  {
-    for (const auto& field : fields)
-    {
-      for (int function :
-        { Mapper::MEAN, Mapper::GAUSSIAN, Mapper::SHAPE_INDEX, Mapper::LINE_FEATURE })
-      {
-        Scene scene;
-        scene.Window->SetSize(64, 64);
-        scene.SetVolume(MakeVolume({ 32, 32, 32 }, VTK_FLOAT, field), 0.5);
-        scene.SetOpacity({ { -1e3, 0.01 }, { 1e3, 0.01 } });
-        scene.Mapper->CroppingOn();
-        scene.Mapper->SetCroppingRegionPlanes(14.0, 20.0, 4.0, 27.0, 4.0, 27.0);
-        scene.Mapper->SetReconstructionFilter(filter);
-        scene.Mapper->SetCurvatureFunction(function);
-        vtkNew<vtkColorTransferFunction> gray;
-        gray->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
-        gray->AddRGBPoint(1.0, 1.0, 1.0, 1.0);
-        scene.Mapper->SetCurvatureColor(gray);
-        // The shape index does not tell how small curvature is.
-        const double most = function == Mapper::SHAPE_INDEX ? 1.0 : 0.01;
-        scene.Mapper->SetCurvatureRange(-most, most);
-        scene.LookFrom(20.0, 30.0, 1.0);
-        for (const auto& pixel : DrawFloats(scene))
-        {
-          ASSERT_NEAR(pixel[0], 0.5 * pixel[3], 5e-3 * pixel[3] + 1e-6) << CurvatureNames[function];
-        }
-      }
-    }
-  }
-}
-
-TEST(Curvature, IsSoundInOneVoxelStructures)
-{
-  for (int filter : { Mapper::LINEAR, Mapper::CUBIC_B_SPLINE })
-  {
-    for (int function = Mapper::FIRST_PRINCIPAL; function <= Mapper::LINE_FEATURE; ++function)
-    {
-      Scene scene;
-      scene.Window->SetSize(96, 96);
-      scene.SetVolume(MakeVolume({ 24, 24, 24 }, VTK_FLOAT,
-                        [](int x, int y, int z)
-                        {
-                          const bool isPoint = x % 6 == 3 && y % 6 == 3 && z % 6 == 3;
-                          const bool isFiber = x == 9 && y == 15;
-                          const bool isSheet = z == 20;
-                          return isPoint || isFiber || isSheet ? 1e30 : -1e-30;
-                        }),
-        0.5);
-      scene.SetOpacity({ { 0.0, 0.0 }, { 1e29, 0.5 } });
-      scene.Mapper->SetReconstructionFilter(filter);
-      scene.Mapper->SetCurvatureFunction(function);
-      scene.Mapper->SetSilhouetteWidth(0.5);
-      scene.Property->ShadeOn();
-      scene.LookFrom(20.0, 30.0, 1.0);
-      EXPECT_TRUE(IsSound(DrawFloats(scene))) << CurvatureNames[function];
-    }
-  }
-}
-
-// A ball's picture does not depend on what its values are multiplied by, nor on a distant sample
-// that makes its gradients a hundred-thousandth of the range.
-TEST(Curvature, OfGradientsOfAnySize)
-{
-  for (int filter : { Mapper::LINEAR, Mapper::CUBIC_B_SPLINE })
-  {
-    Picture expected;
-    for (const double factor : { 1.0, 1e-25, 1e25 })
-    {
-      for (const double outlier : { 0.0, 1e3 })
-      {
-        Scene scene;
-        ShowBall(scene, { 1.0, 1.0, 1.0 },
-          MakeVolume({ 64, 64, 64 }, VTK_DOUBLE,
-            [&](int x, int y, int z)
-            {
-              const bool isOutlier = x + y + z == 0 && outlier > 0.0;
-              return factor *
-                     (isOutlier ? outlier : 20.0 - std::hypot(x - 31.5, y - 31.5, z - 31.5));
-            }));
-        scene.SetOpacity(
-          { { -factor, 0.0 }, { 0.0, 0.4 }, { factor, 0.0 }, { 2.0 * factor, 0.0 } });
-        scene.Mapper->SetReconstructionFilter(filter);
-        const Picture picture = DrawFloats(scene);
-        expected = expected.empty() ? picture : expected;
-        double largest = 0.0;
-        for (std::size_t i = 0; i < picture.size(); ++i)
-        {
-          if (picture[i][3] > 0.3 && expected[i][3] > 0.3)
-          {
-            largest = std::max(
-              largest, std::abs(picture[i][0] / picture[i][3] - expected[i][0] / expected[i][3]));
-          }
-        }
-        EXPECT_LT(largest, 4.0 / 255.0) << factor << " " << outlier;
-        ASSERT_GT(GetCenter(picture, 256)[3], 0.1);
-      }
-    }
-  }
-}
-
-TEST(Curvature, HolesAreNeutral)
-{
-  Scene scene;
-  ShowBall(scene, { 1.0, 1.0, 1.0 },
-    MakeVolume({ 64, 64, 64 }, VTK_FLOAT,
-      [](int x, int y, int z)
-      {
-        return x == 31 && y % 8 == 0 ? std::nan("")
-                                     : 100.0 - std::hypot(x - 31.5, y - 31.5, z - 31.5);
-      }));
-  for (int filter : { Mapper::LINEAR, Mapper::CUBIC_B_SPLINE })
-  {
-    scene.Mapper->SetReconstructionFilter(filter);
-    scene.Property->ShadeOn();
-    EXPECT_TRUE(IsSound(DrawFloats(scene)));
   }
 }
 
@@ -368,15 +212,12 @@ TEST(Curvature, AtTheVolumesFacesIsAsInside)
 // A ball is as round in coarse blocks as in fine ones, and where they meet.
 TEST(Curvature, OfCoarseLevelsShowsNoSeams)
 {
-  vtkNew<vtkColorTransferFunction> gray;
-  gray->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
-  gray->AddRGBPoint(1.0, 1.0, 1.0, 1.0);
   for (int filter : { Mapper::LINEAR, Mapper::CUBIC_B_SPLINE })
   {
     Scene scene;
     ShowBall(scene, { 1.0, 1.0, 1.0 });
     scene.Mapper->SetReconstructionFilter(filter);
-    scene.Mapper->SetCurvatureColor(gray);
+    scene.Mapper->SetCurvatureColor(MakeGray(0.0, 1.0));
     scene.Mapper->SetCurvatureRange(0.0, 0.1);
     scene.Window->Render();
     scene.Mapper->SetMaxMemoryInBytes(scene.Mapper->GetMemoryInBytes() * 7 / 10);

@@ -23,23 +23,6 @@ void ShowTorus(Scene& scene)
   ShowField(scene, GetCurvatureField("torus"), 48);
 }
 
-void ShowCloud(Scene& scene)
-{
-  scene.SetVolume(MakeWaves(), 0.3);
-  scene.SetOpacity({ { 600.0, 0.0 }, { 750.0, 0.3 } });
-  scene.SetColor({ { 500.0, 0.8, 0.3, 0.2 }, { 700.0, 0.9, 0.9, 0.7 } });
-  scene.Mapper->SetBlockSize(17);
-  scene.LookFrom(30.0, 40.0, 1.3);
-}
-
-vtkSmartPointer<vtkColorTransferFunction> MakeGray(double low, double high)
-{
-  auto gray = vtkSmartPointer<vtkColorTransferFunction>::New();
-  gray->AddRGBPoint(low, 0.0, 0.0, 0.0);
-  gray->AddRGBPoint(high, 1.0, 1.0, 1.0);
-  return gray;
-}
-
 double GetFetches(Scene& scene)
 {
   scene.Mapper->CountSamplesOn();
@@ -130,6 +113,58 @@ TEST(CurvatureColor, ShowsAnEditOfItsFunctions)
   {
     ASSERT_NEAR(pixel[0], pixel[3], 1e-5);
   }
+}
+
+TEST(CurvatureColor, KeepsSharesOfOpacityFrom0To1)
+{
+  Scene scene;
+  ShowCloud(scene);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  scene.Mapper->SetCurvatureFunctionToMean();
+  scene.Mapper->SetCurvatureOpacity(opacity);
+  const auto draw = [&](double share)
+  {
+    opacity->RemoveAllPoints();
+    opacity->AddPoint(0.0, share);
+    opacity->AddPoint(1.0, share);
+    return DrawFloats(scene);
+  };
+  EXPECT_EQ(LargestDifference(draw(7.0), draw(1.0)), 0.0);
+  const Picture none = draw(-7.0);
+  EXPECT_EQ(LargestDifference(none, Picture(none.size())), 0.0);
+}
+
+TEST(CurvatureColor, IsRefusedWhereItIsNotFinite)
+{
+  Scene scene;
+  ShowCloud(scene);
+  scene.Mapper->SetCurvatureFunctionToMean();
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.5);
+  opacity->AddPoint(1.0, std::nan(""));
+  scene.Mapper->SetCurvatureOpacity(opacity);
+  const Messages messages = Listen([&scene] { scene.Window->Render(); });
+  ASSERT_EQ(messages.Errors.size(), 1U);
+  EXPECT_NE(messages.Errors[0].find("CurvatureOpacity"), std::string::npos);
+}
+
+// What curvature makes transparent hides nothing.
+TEST(CurvatureOpacity, IsNotTakenForDense)
+{
+  Scene scene;
+  ShowCloud(scene);
+  scene.SetOpacity({ { 0.0, 1.0 }, { 1000.0, 1.0 } });
+  scene.Mapper->SetSelectionCriterionToDistortion();
+  scene.Mapper->SetCurvatureFunctionToMean();
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.01);
+  opacity->AddPoint(1.0, 0.01);
+  scene.Mapper->SetCurvatureOpacity(opacity);
+  scene.Window->Render();
+  scene.Mapper->SetMaxMemoryInBytes(scene.Mapper->GetMemoryInBytes() / 2);
+  const Picture plain = DrawFloats(scene);
+  scene.Mapper->VisibilityWeightingOn();
+  EXPECT_EQ(LargestDifference(DrawFloats(scene), plain), 0.0);
 }
 
 // On a ball of radius r what turns away within the width T is a ring that is T wide, whatever r.

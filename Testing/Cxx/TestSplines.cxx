@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 using namespace flatblock::testing;
 
@@ -15,13 +16,10 @@ namespace
 {
 using Mapper = vtkFlatBlockVolumeMapper;
 
-void ShowCloud(Scene& scene)
+void ShowSmoothCloud(Scene& scene)
 {
-  scene.SetVolume(MakeWaves(), 0.2);
+  ShowCloud(scene);
   scene.SetOpacity({ { 500.0, 0.0 }, { 650.0, 0.2 } });
-  scene.SetColor({ { 500.0, 0.8, 0.3, 0.2 }, { 700.0, 0.9, 0.9, 0.7 } });
-  scene.Mapper->SetBlockSize(17);
-  scene.LookFrom(30.0, 40.0, 1.3);
   scene.Mapper->SetReconstructionFilterToCubicBSpline();
 }
 
@@ -77,7 +75,7 @@ TEST(Splines, DoNotShowBlocks)
   for (const bool isInterpolating : { false, true })
   {
     Scene scene;
-    ShowCloud(scene);
+    ShowSmoothCloud(scene);
     scene.Mapper->SetInterpolatingBSpline(isInterpolating);
     scene.Property->ShadeOn();
     const Picture blocks = DrawFloats(scene);
@@ -140,10 +138,130 @@ TEST(Splines, InterpolateTheSamples)
 TEST(Splines, AtCoarseLevelsShowNoCracks)
 {
   Scene scene;
-  ShowCloud(scene);
+  ShowSmoothCloud(scene);
   const Picture finest = DrawFloats(scene);
   scene.Mapper->SetMaxMemoryInBytes(scene.Mapper->GetMemoryInBytes() / 2);
   scene.Window->Render();
   ASSERT_GT(scene.Mapper->GetNumberOfBricks(1), 0);
   EXPECT_GT(PeakSignalToNoise(DrawFloats(scene), finest), 28.0);
+}
+
+// Texels that are classified one by one must be samples, and not the spline's coefficients.
+TEST(Splines, AreOfSamplesWhereTheseAreClassified)
+{
+  const std::function<void(Scene&)> settings[] = { [](Scene& scene)
+    { scene.Mapper->SetClassificationToPreInterpolation(); },
+    [](Scene& scene)
+    {
+      scene.Property->ShadeOn();
+      scene.Mapper->ComputeNormalFromOpacityOn();
+    } };
+  for (const auto& set : settings)
+  {
+    Scene scene;
+    ShowSmoothCloud(scene);
+    set(scene);
+    const Picture smooth = DrawFloats(scene);
+    scene.Mapper->InterpolatingBSplineOn();
+    EXPECT_EQ(LargestDifference(DrawFloats(scene), smooth), 0.0);
+  }
+}
+
+// Few bits are on the scale of the blocks that a block's texels come from, and not of others.
+TEST(Splines, OfFewBitsAreOnTheScaleOfTheirBlocks)
+{
+  Scene scene;
+  scene.SetVolume(MakeVolume({ 65, 17, 17 }, VTK_FLOAT,
+                    [](int x, int y, int) { return x < 36 ? 0.01 * y : 100.0; }),
+    0.5);
+  scene.SetOpacity({ { -1.0, 0.1 }, { 200.0, 0.1 } });
+  scene.SetColor({ { 0.0, 0.0, 0.0, 0.0 }, { 0.16, 1.0, 1.0, 1.0 } });
+  scene.Mapper->CroppingOn();
+  scene.Mapper->SetCroppingRegionPlanes(0.0, 15.0, 0.0, 16.0, 0.0, 16.0);
+  scene.Mapper->SetBlockSize(17);
+  scene.Mapper->SetReconstructionFilterToCubicBSpline();
+  scene.LookFrom(0.0, 0.0, 1.0);
+  const Picture whole = DrawFloats(scene);
+  scene.Mapper->SetAtlasPrecision(4);
+  EXPECT_LT(LargestDifference(DrawFloats(scene), whole), 0.05);
+}
+
+// Blocks without a value have none that others are on the scale of.
+TEST(Splines, FindExtremesBesideHoles)
+{
+  Scene scene;
+  scene.SetVolume(MakeVolume({ 49, 49, 49 }, VTK_FLOAT,
+                    [](int x, int y, int z)
+                    { return x > 16 && x < 34 && y < 34 ? std::nan("") : 3.0 * x + y - z; }),
+    0.5);
+  scene.SetOpacity({ { -50.0, 0.0 }, { 200.0, 1.0 } });
+  scene.SetColor({ { -50.0, 0.1, 0.2, 0.9 }, { 200.0, 0.9, 0.2, 0.1 } });
+  scene.Mapper->SetReconstructionFilterToCubicBSpline();
+  scene.Mapper->SetBlendModeToMaximumIntensity();
+  scene.Mapper->SetBlockSize(17);
+  scene.LookFrom(30.0, 40.0, 1.2);
+  const Picture blocks = DrawFloats(scene);
+  scene.Mapper->SetBlockSize(65);
+  scene.Mapper->SetSkipping(Mapper::SKIP_NOTHING);
+  // But for a few rays that graze a hole.
+  EXPECT_LT(RootMeanSquare(DrawFloats(scene), blocks), 5e-3);
+}
+
+// What a leap may pass over follows from the spline that is drawn, and not from one before.
+TEST(Splines, AreLeaptOverAsTheyAreNow)
+{
+  Scene scene;
+  ShowVoxels(scene, 0.5);
+  scene.Mapper->SetVariationTolerance(2.0);
+  scene.Window->Render();
+  scene.Mapper->InterpolatingBSplineOn();
+  const Picture edited = DrawFloats(scene);
+  Scene fresh;
+  ShowVoxels(fresh, 0.5);
+  fresh.Mapper->SetVariationTolerance(2.0);
+  fresh.Mapper->InterpolatingBSplineOn();
+  EXPECT_EQ(LargestDifference(DrawFloats(fresh), edited), 0.0);
+}
+
+// They go through the samples at a level's stride, whatever its filter.
+TEST(Splines, ThatInterpolateAreNotFiltered)
+{
+  Scene scene;
+  ShowSmoothCloud(scene);
+  scene.Mapper->InterpolatingBSplineOn();
+  scene.Window->Render();
+  scene.Mapper->SetMaxMemoryInBytes(scene.Mapper->GetMemoryInBytes() / 2);
+  const Picture subsampled = DrawFloats(scene);
+  ASSERT_GT(scene.Mapper->GetNumberOfBricks(1), 0);
+  scene.Mapper->SetLevelFilterToTent();
+  EXPECT_LT(LargestDifference(DrawFloats(scene), subsampled), 1.0 / 255.0);
+}
+
+// Distortion is that of integers, though coefficients are not.
+TEST(Splines, ThatInterpolateBytesAreAsWrongAsTheyAre)
+{
+  const auto measure = [](bool isInterpolating, double memory)
+  {
+    Scene scene;
+    scene.SetVolume(MakeVolume({ 65, 65, 65 }, VTK_UNSIGNED_CHAR,
+                      [](int x, int y, int z) { return (7 * x + 5 * y * z) % 200; }),
+      0.5);
+    scene.SetOpacity({ { 0.0, 0.1 }, { 100.2, 0.1 }, { 100.3, 0.9 }, { 101.2, 0.1 } });
+    scene.SetColor({ { 0.0, 0.0, 0.0, 1.0 }, { 100.4, 1.0, 0.0, 0.0 }, { 101.1, 0.0, 1.0, 0.0 } });
+    scene.Mapper->SetReconstructionFilterToCubicBSpline();
+    scene.Mapper->SetInterpolatingBSpline(isInterpolating);
+    scene.Mapper->SetSelectionCriterionToDistortion();
+    scene.Mapper->SetNumberOfLevels(2);
+    scene.Mapper->SetBlockSize(17);
+    scene.LookFrom(30.0, 40.0, 1.2);
+    scene.Window->Render();
+    scene.Mapper->SetMaxMemoryInBytes(
+      static_cast<vtkTypeInt64>(memory * scene.Mapper->GetMemoryInBytes()));
+    scene.Window->Render();
+    EXPECT_EQ(scene.Mapper->GetNumberOfBricks(0), 0);
+    return scene.Mapper->GetTotalDistortion();
+  };
+  const double expected = measure(false, 0.644);
+  EXPECT_GT(expected, 0.0);
+  EXPECT_EQ(measure(true, 0.333), expected);
 }

@@ -31,6 +31,44 @@ void ShowField(Scene& scene, const CurvatureField& field, int n)
   scene.LookFrom(30.0, 40.0, 1.4);
 }
 
+void ShowCloud(Scene& scene)
+{
+  scene.SetVolume(MakeWaves(), 0.3);
+  scene.SetOpacity({ { 600.0, 0.0 }, { 750.0, 0.3 } });
+  scene.SetColor({ { 500.0, 0.8, 0.3, 0.2 }, { 700.0, 0.9, 0.9, 0.7 } });
+  scene.Mapper->SetBlockSize(17);
+  scene.LookFrom(30.0, 40.0, 1.3);
+}
+
+void ShowBall(Scene& scene, const std::array<double, 3>& spacing, vtkImageData* shape)
+{
+  const auto image = shape ? vtkSmartPointer<vtkImageData>(shape)
+                           : MakeVolume({ 64, 64, 64 }, VTK_FLOAT,
+                               [&](int x, int y, int z)
+                               {
+                                 return 100.0 - std::hypot((x - 31.5) * spacing[0],
+                                                  (y - 31.5) * spacing[1], (z - 31.5) * spacing[2]);
+                               });
+  image->SetSpacing(spacing.data());
+  scene.SetVolume(image, 0.25);
+  scene.SetOpacity({ { 79.0, 0.0 }, { 80.0, 0.4 }, { 81.0, 0.0 } });
+  scene.Mapper->SetCurvatureFunctionToMean();
+  scene.Mapper->SetBlockSize(17);
+  scene.LookFrom(30.0, 40.0, 1.2);
+}
+
+std::array<double, 4> GetCenter(const Picture& picture, int width)
+{
+  return picture[picture.size() / 2 + width / 2];
+}
+vtkSmartPointer<vtkColorTransferFunction> MakeGray(double low, double high)
+{
+  auto gray = vtkSmartPointer<vtkColorTransferFunction>::New();
+  gray->AddRGBPoint(low, 0.0, 0.0, 0.0);
+  gray->AddRGBPoint(high, 1.0, 1.0, 1.0);
+  return gray;
+}
+
 double GetCurvature(int function, const PrincipalCurvatures& principal)
 {
   using Mapper = vtkFlatBlockVolumeMapper;
@@ -97,11 +135,8 @@ std::vector<CurvaturePixel> FindPixels(Scene& scene, const SampledField& field, 
 
 void MeasureCurvature(Scene& scene, int function, double most, std::vector<CurvaturePixel>& pixels)
 {
-  vtkNew<vtkColorTransferFunction> gray;
-  gray->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
-  gray->AddRGBPoint(1.0, 1.0, 1.0, 1.0);
   scene.Mapper->SetCurvatureFunction(function);
-  scene.Mapper->SetCurvatureColor(gray);
+  scene.Mapper->SetCurvatureColor(MakeGray(0.0, 1.0));
   scene.Mapper->SetCurvatureRange(-most, most);
   const Picture drawn = DrawFloats(scene);
   pixels.erase(std::remove_if(pixels.begin(), pixels.end(),

@@ -4,13 +4,31 @@
 #include "CurvatureFields.h"
 #include "FloatPicture.h"
 
+#include "vtkSmartPointer.h"
+
 #include <array>
 #include <vector>
+
+class vtkColorTransferFunction;
+class vtkImageData;
 
 namespace flatblock::testing
 {
 /// The field's surface in n^3 samples of the cube [-1, 1]^3, unlit.
 void ShowField(Scene& scene, const CurvatureField& field, int n);
+
+/// Translucent waves in blocks of 17 samples.
+void ShowCloud(Scene& scene);
+
+/// A translucent ball of radius 20, or another volume of 64^3 samples, in colours of its mean
+/// curvature.
+void ShowBall(Scene& scene, const std::array<double, 3>& spacing, vtkImageData* shape = nullptr);
+
+/// Of a square picture.
+std::array<double, 4> GetCenter(const Picture& picture, int width);
+
+/// Black at one value, white at another.
+vtkSmartPointer<vtkColorTransferFunction> MakeGray(double low, double high);
 
 /// What the mapper's functions are called, from 0 on.
 extern const char* const CurvatureNames[10];

@@ -1,5 +1,7 @@
 #include "ReferenceCurvature.h"
 
+#include "ReferenceVectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,54 +10,9 @@ namespace flatblock::testing
 {
 namespace
 {
-using Vector = std::array<double, 3>;
-using Matrix = std::array<double, 9>;
-
 Matrix ToMatrix(const std::array<double, 6>& h)
 {
   return { h[0], h[5], h[4], h[5], h[1], h[3], h[4], h[3], h[2] };
-}
-
-Vector Multiply(const Matrix& m, const Vector& v)
-{
-  return { m[0] * v[0] + m[1] * v[1] + m[2] * v[2], m[3] * v[0] + m[4] * v[1] + m[5] * v[2],
-    m[6] * v[0] + m[7] * v[1] + m[8] * v[2] };
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-Vector Normalize(const Vector& v)
-{
-  const double length = std::sqrt(Dot(v, v));
-  return { v[0] / length, v[1] / length, v[2] / length };
-}
-
-// Columns are what a step of one length along each axis is in samples.
-Matrix Invert(const Matrix& m)
-{
-  const Vector a = { m[0], m[1], m[2] };
-  const Vector b = { m[3], m[4], m[5] };
-  const Vector c = { m[6], m[7], m[8] };
-  const Vector bc = Cross(b, c);
-  const Vector ca = Cross(c, a);
-  const Vector ab = Cross(a, b);
-  const double volume = Dot(a, bc);
-  Matrix inverse;
-  for (int i = 0; i < 3; ++i)
-  {
-    inverse[3 * i] = bc[i] / volume;
-    inverse[3 * i + 1] = ca[i] / volume;
-    inverse[3 * i + 2] = ab[i] / volume;
-  }
-  return inverse;
 }
 
 // The uniform cubic B-spline that is centred at 0, or its derivatives.

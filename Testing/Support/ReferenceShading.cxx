@@ -1,5 +1,7 @@
 #include "ReferenceShading.h"
 
+#include "ReferenceVectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,28 +10,11 @@ namespace flatblock::testing
 {
 namespace
 {
-using Vector = std::array<double, 3>;
-using Matrix = std::array<double, 9>;
-
-Matrix Invert(const Matrix& m)
-{
-  const Matrix cofactors = { m[4] * m[8] - m[5] * m[7], m[2] * m[7] - m[1] * m[8],
-    m[1] * m[5] - m[2] * m[4], m[5] * m[6] - m[3] * m[8], m[0] * m[8] - m[2] * m[6],
-    m[2] * m[3] - m[0] * m[5], m[3] * m[7] - m[4] * m[6], m[1] * m[6] - m[0] * m[7],
-    m[0] * m[4] - m[1] * m[3] };
-  const double determinant = m[0] * cofactors[0] + m[1] * cofactors[3] + m[2] * cofactors[6];
-  Matrix inverse;
-  std::transform(cofactors.begin(), cofactors.end(), inverse.begin(),
-    [determinant](double c) { return c / determinant; });
-  return inverse;
-}
-
 // 0 for a vector of no length.
 double GetCosine(const Vector& a, const Vector& b)
 {
-  const double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   const double lengths = std::hypot(a[0], a[1], a[2]) * std::hypot(b[0], b[1], b[2]);
-  return lengths > 0.0 ? product / lengths : 0.0;
+  return lengths > 0.0 ? Dot(a, b) / lengths : 0.0;
 }
 } // namespace
 
