@@ -80,6 +80,27 @@ void vtkFlatBlockCurvatureMapper::SetGradientModulation(
   }
 }
 
+void vtkFlatBlockCurvatureMapper::ShallowCopy(vtkAbstractMapper* other)
+{
+  if (auto* mapper = vtkFlatBlockCurvatureMapper::SafeDownCast(other))
+  {
+    this->SetReconstructionFilter(mapper->ReconstructionFilter);
+    this->SetInterpolatingBSpline(mapper->InterpolatingBSpline);
+    this->SetStillReconstructionFilter(mapper->StillReconstructionFilter);
+    this->SetCurvatureFunction(mapper->CurvatureFunction);
+    this->SetCurvatureColor(mapper->CurvatureColor);
+    this->SetCurvatureOpacity(mapper->CurvatureOpacity);
+    this->SetCurvatureRange(mapper->CurvatureRange);
+    this->SetSilhouetteWidth(mapper->SilhouetteWidth);
+    this->SetDerivativesOnDemand(mapper->DerivativesOnDemand);
+    const double* color = mapper->SilhouetteColor;
+    this->SetSilhouetteColor(color[0], color[1], color[2]);
+    const double* modulation = mapper->GradientModulation;
+    this->SetGradientModulation(modulation[0], modulation[1], modulation[2]);
+  }
+  this->Superclass::ShallowCopy(other);
+}
+
 void vtkFlatBlockCurvatureMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -26,6 +26,7 @@ class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockCurvatureMapper
 public:
   vtkTypeMacro(vtkFlatBlockCurvatureMapper, vtkFlatBlockShadingMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  void ShallowCopy(vtkAbstractMapper* other) override;
   vtkMTimeType GetMTime() override;
 
   enum ReconstructionFilters

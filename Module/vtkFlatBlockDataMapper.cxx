@@ -15,6 +15,36 @@ void vtkFlatBlockDataMapper::SetMaskInput(vtkImageData* mask)
   }
 }
 
+void vtkFlatBlockDataMapper::ShallowCopy(vtkAbstractMapper* other)
+{
+  if (auto* mapper = vtkFlatBlockDataMapper::SafeDownCast(other))
+  {
+    this->SetBlendMode(mapper->BlendMode);
+    this->SetAverageIPScalarRange(mapper->AverageIPScalarRange);
+    this->SetCropping(mapper->Cropping);
+    this->SetCroppingRegionPlanes(mapper->CroppingRegionPlanes);
+    this->SetCroppingRegionFlags(mapper->CroppingRegionFlags);
+    this->SetScalarMode(mapper->ScalarMode);
+    this->SetArrayAccessMode(mapper->ArrayAccessMode);
+    this->SetVectorMode(mapper->VectorMode);
+    this->SetVectorComponent(mapper->VectorComponent);
+    this->SetTransfer2DYAxisArray(mapper->Transfer2DYAxisArray);
+    this->SetMaskInput(mapper->MaskInput);
+    this->SetMaskType(mapper->MaskType);
+    this->SetMaskBlendFactor(mapper->MaskBlendFactor);
+    this->SetRenderToImage(mapper->RenderToImage);
+    if (mapper->ArrayAccessMode == VTK_GET_ARRAY_BY_ID)
+    {
+      this->SelectScalarArray(mapper->ArrayId);
+    }
+    else
+    {
+      this->SelectScalarArray(mapper->ArrayName);
+    }
+  }
+  this->Superclass::ShallowCopy(other);
+}
+
 void vtkFlatBlockDataMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

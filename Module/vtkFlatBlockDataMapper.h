@@ -30,6 +30,11 @@ public:
   vtkTypeMacro(vtkFlatBlockDataMapper, vtkVolumeMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Takes over all settings of another mapper, but not its input.
+   */
+  void ShallowCopy(vtkAbstractMapper* other) override;
+
   enum VectorModes
   {
     DISABLED = -1,

@@ -17,6 +17,36 @@ void vtkFlatBlockRayCastMapper::SetAtlasPrecision(int precision)
   }
 }
 
+void vtkFlatBlockRayCastMapper::ShallowCopy(vtkAbstractMapper* other)
+{
+  if (auto* mapper = vtkFlatBlockRayCastMapper::SafeDownCast(other))
+  {
+    this->SetClassification(mapper->Classification);
+    this->SetSampleDistance(mapper->SampleDistance);
+    this->SetSampleDistanceInVoxels(mapper->SampleDistanceInVoxels);
+    this->SetFrameTimeGoal(mapper->FrameTimeGoal);
+    this->SetAdaptiveImageSampling(mapper->AdaptiveImageSampling);
+    this->SetImageSamplingTolerance(mapper->ImageSamplingTolerance);
+    this->SetAutoAdjustSampleDistances(mapper->AutoAdjustSampleDistances);
+    this->SetLockSampleDistanceToInputSpacing(mapper->LockSampleDistanceToInputSpacing);
+    this->SetImageSampleDistance(mapper->ImageSampleDistance);
+    this->SetMinimumImageSampleDistance(mapper->MinimumImageSampleDistance);
+    this->SetMaximumImageSampleDistance(mapper->MaximumImageSampleDistance);
+    this->SetUseJittering(mapper->UseJittering);
+    this->SetAdaptiveSampling(mapper->AdaptiveSampling);
+    this->SetMaximumNumberOfSamples(mapper->MaximumNumberOfSamples);
+    this->SetRayStartOffset(mapper->RayStartOffset);
+    this->SetEarlyTerminationThreshold(mapper->EarlyTerminationThreshold);
+    this->SetSkipping(mapper->Skipping);
+    this->SetHomogeneousLeaps(mapper->HomogeneousLeaps);
+    this->SetAtlasPrecision(mapper->AtlasPrecision);
+    this->SetVariationTolerance(mapper->VariationTolerance);
+    this->SetProfiling(mapper->Profiling);
+    this->SetCountSamples(mapper->CountSamples);
+  }
+  this->Superclass::ShallowCopy(other);
+}
+
 void vtkFlatBlockRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

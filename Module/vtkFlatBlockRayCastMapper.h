@@ -36,6 +36,7 @@ class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockRayCastMapper
 public:
   vtkTypeMacro(vtkFlatBlockRayCastMapper, vtkFlatBlockCurvatureMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  void ShallowCopy(vtkAbstractMapper* other) override;
 
   enum Classifications
   {

@@ -3,6 +3,20 @@
 vtkFlatBlockShadingMapper::vtkFlatBlockShadingMapper() = default;
 vtkFlatBlockShadingMapper::~vtkFlatBlockShadingMapper() = default;
 
+void vtkFlatBlockShadingMapper::ShallowCopy(vtkAbstractMapper* other)
+{
+  if (auto* mapper = vtkFlatBlockShadingMapper::SafeDownCast(other))
+  {
+    this->SetShadingOpacityThreshold(mapper->ShadingOpacityThreshold);
+    this->SetComputeNormalFromOpacity(mapper->ComputeNormalFromOpacity);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+    this->SetVolumetricScatteringBlending(mapper->VolumetricScatteringBlending);
+    this->SetGlobalIlluminationReach(mapper->GlobalIlluminationReach);
+#endif
+  }
+  this->Superclass::ShallowCopy(other);
+}
+
 void vtkFlatBlockShadingMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

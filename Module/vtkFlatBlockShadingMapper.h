@@ -17,6 +17,7 @@ class VTKFLATBLOCKVOLUMERENDERING_EXPORT vtkFlatBlockShadingMapper : public vtkF
 public:
   vtkTypeMacro(vtkFlatBlockShadingMapper, vtkFlatBlockDataMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  void ShallowCopy(vtkAbstractMapper* other) override;
 
   ///@{
   /**

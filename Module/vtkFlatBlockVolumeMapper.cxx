@@ -166,6 +166,31 @@ void vtkFlatBlockVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Internals->LastAtlasBytes = 0;
 }
 
+void vtkFlatBlockVolumeMapper::ShallowCopy(vtkAbstractMapper* other)
+{
+  if (auto* mapper = vtkFlatBlockVolumeMapper::SafeDownCast(other))
+  {
+    this->SetBlockSize(mapper->BlockSize);
+    this->SetMaxMemoryInBytes(mapper->MaxMemoryInBytes);
+    this->SetNumberOfLevels(mapper->NumberOfLevels);
+    this->SetLevelFilter(mapper->LevelFilter);
+    this->SetSelectionCriterion(mapper->SelectionCriterion);
+    this->SetDistortionPerByte(mapper->DistortionPerByte);
+    this->SetVisibilityWeighting(mapper->VisibilityWeighting);
+    this->SetDistortionBackend(mapper->DistortionBackend);
+    this->SetDistortionEstimate(mapper->DistortionEstimate);
+    this->SetNumberOfThreads(mapper->NumberOfThreads);
+    this->SetDistortionBlocksPerFrame(mapper->DistortionBlocksPerFrame);
+    this->SetPointOfInterest(mapper->PointOfInterest);
+    this->SetUseCameraAsPointOfInterest(mapper->UseCameraAsPointOfInterest);
+    this->SetRefinementFraction(mapper->RefinementFraction);
+    this->SetUploadBytesPerFrame(mapper->UploadBytesPerFrame);
+    this->SetProgressiveStills(mapper->ProgressiveStills);
+    this->SetInterblockContinuity(mapper->InterblockContinuity);
+  }
+  this->Superclass::ShallowCopy(other);
+}
+
 void vtkFlatBlockVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -189,6 +214,7 @@ void vtkFlatBlockVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "RefinementFraction: " << this->RefinementFraction << "\n";
   os << indent << "UploadBytesPerFrame: " << this->UploadBytesPerFrame << "\n";
+  os << indent << "ProgressiveStills: " << this->ProgressiveStills << "\n";
   os << indent << "Converged: " << this->GetConverged() << "\n";
   os << indent << "MemoryInBytes: " << this->GetMemoryInBytes() << "\n";
   os << indent << "NumberOfBlocks: " << this->GetNumberOfBlocks() << "\n";

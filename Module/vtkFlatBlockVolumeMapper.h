@@ -34,6 +34,7 @@ public:
   static vtkFlatBlockVolumeMapper* New();
   vtkTypeMacro(vtkFlatBlockVolumeMapper, vtkFlatBlockRayCastMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  void ShallowCopy(vtkAbstractMapper* other) override;
 
   ///@{
   /**
@@ -230,12 +231,16 @@ public:
    * within the atlas (default 16 MiB). One block may change in any case, and blocks that were
    * transparent come at once, coarse. A frame is interactive where the render window's desired
    * update rate is 1 or more, as with vtkSmartVolumeMapper; all others are converged before they
-   * are shown.
+   * are shown, but with ProgressiveStills (default off), for programs that stay responsive and
+   * render again until GetConverged().
    */
   vtkSetClampMacro(RefinementFraction, double, 0.0, 1.0);
   vtkGetMacro(RefinementFraction, double);
   vtkSetClampMacro(UploadBytesPerFrame, vtkTypeInt64, 1, VTK_TYPE_INT64_MAX);
   vtkGetMacro(UploadBytesPerFrame, vtkTypeInt64);
+  vtkSetMacro(ProgressiveStills, bool);
+  vtkGetMacro(ProgressiveStills, bool);
+  vtkBooleanMacro(ProgressiveStills, bool);
   ///@}
 
   /**
@@ -297,7 +302,6 @@ public:
   vtkTypeInt64 GetUploadedBytes() const;
   vtkTypeInt64 GetMovedBytes() const;
   ///@}
-
   ///@{
   /**
    * Of the last frame: rays that MaximumNumberOfSamples cut off; its ImageSampleDistance.
@@ -364,6 +368,7 @@ private:
   void UpdateDistortion(vtkTypeInt64 mostBlocks);
   bool UsesCuda();
   vtkTypeInt64 GetBytesBesideAtlas(vtkRenderer* renderer) const;
+  bool IsStepwise(vtkRenderer* renderer) const;
   double GetStep();
   vtkTypeInt64 GetImageBytes(vtkRenderer* renderer) const;
   void DrawRays(vtkRenderer* renderer, vtkVolume* volume);
@@ -388,6 +393,7 @@ private:
   bool UseCameraAsPointOfInterest = true;
   double RefinementFraction = 0.1;
   vtkTypeInt64 UploadBytesPerFrame = vtkTypeInt64(16) << 20;
+  bool ProgressiveStills = false;
   bool InterblockContinuity = true;
 
   struct vtkInternals;

@@ -181,6 +181,12 @@ vtkTypeInt64 vtkFlatBlockVolumeMapper::GetBytesBesideAtlas(vtkRenderer* renderer
          this->GetImageBytes(renderer);
 }
 
+// Towards the levels that are wanted.
+bool vtkFlatBlockVolumeMapper::IsStepwise(vtkRenderer* renderer) const
+{
+  return this->ProgressiveStills || flatblock::IsInteractive(renderer);
+}
+
 void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
@@ -200,7 +206,7 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
                   ? vtkFlatBlockLevels::Criterion::Distortion
                   : vtkFlatBlockLevels::Criterion::DistortionAndDistance;
     this->UpdateDistortion(
-      flatblock::IsInteractive(renderer) ? this->DistortionBlocksPerFrame : VTK_TYPE_INT64_MAX);
+      this->IsStepwise(renderer) ? this->DistortionBlocksPerFrame : VTK_TYPE_INT64_MAX);
     in.IsDistortionCurrent = in.Distortion->IsComplete();
   }
   const double* point = this->UseCameraAsPointOfInterest
@@ -297,7 +303,7 @@ bool vtkFlatBlockVolumeMapper::TryAtlas(vtkRenderer* renderer, vtkVolume* volume
   budget.Texels =
     this->UploadBytesPerFrame / static_cast<vtkTypeInt64>(BytesPerTexel(source.GetEncoding()));
   const flatblock::FramePlan frame =
-    in.PlanFrame(flatblock::IsInteractive(renderer) ? &budget : nullptr,
+    in.PlanFrame(this->IsStepwise(renderer) ? &budget : nullptr,
       this->InterblockContinuity && in.Sampling.MayCoarsenBorders());
 
   flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);

@@ -1,34 +1,59 @@
 #include "vtkFlatBlockVolumeRepresentation.h"
 
+#include "FlatBlockPieces.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkFlatBlockPiecesMapper.h"
 #include "vtkFlatBlockVolumeMapper.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkOutlineSource.h"
 #include "vtkPVLODVolume.h"
+#include "vtkPVRenderView.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkRenderWindow.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
 
 vtkStandardNewMacro(vtkFlatBlockVolumeRepresentation);
 
 namespace
 {
-vtkFlatBlockVolumeMapper* AsFlatBlockMapper(vtkVolumeMapper* mapper)
+// The images of what is delivered to this process, which RequestData() has made ready.
+std::vector<vtkImageData*> GetDelivered(vtkDataObject* data)
 {
-  return static_cast<vtkFlatBlockVolumeMapper*>(mapper);
+  std::vector<vtkImageData*> images;
+  auto* partitions = vtkPartitionedDataSet::SafeDownCast(data);
+  for (unsigned int i = 0; partitions && i < partitions->GetNumberOfPartitions(); ++i)
+  {
+    images.push_back(vtkImageData::SafeDownCast(partitions->GetPartition(i)));
+  }
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    images.push_back(image);
+  }
+  return images;
 }
 
-vtkDataArray* FindArray(vtkDataObject* data)
+vtkDataArray* FindArray(const std::vector<vtkImageData*>& images)
 {
-  auto* image = vtkImageData::SafeDownCast(data);
-  if (!image)
+  if (images.empty())
   {
     return nullptr;
   }
-  vtkPointData* arrays = image->GetPointData();
+  vtkPointData* arrays = images.front()->GetPointData();
   return arrays->GetScalars() ? arrays->GetScalars() : arrays->GetArray(0);
 }
 
@@ -46,6 +71,35 @@ void ShowInGray(vtkDataArray* array, vtkVolumeProperty* property)
   property->SetColor(color);
   property->SetScalarOpacity(opacity);
 }
+
+void Apply(int quality, vtkFlatBlockVolumeMapper* mapper)
+{
+  switch (quality)
+  {
+  case vtkFlatBlockVolumeRepresentation::INTERACTIVE:
+    return mapper->SetQualityToInteractive();
+  case vtkFlatBlockVolumeRepresentation::BALANCED:
+    return mapper->SetQualityToBalanced();
+  case vtkFlatBlockVolumeRepresentation::ACCURATE:
+    return mapper->SetQualityToAccurate();
+  case vtkFlatBlockVolumeRepresentation::REFERENCE:
+    return mapper->SetQualityToReference();
+  case vtkFlatBlockVolumeRepresentation::AUTOMATIC:
+    return mapper->SetQualityToAutomatic();
+  default:
+    return;
+  }
+}
+
+// The view says it to its subclasses alone.
+class ScreenshotView : public vtkPVRenderView
+{
+public:
+  static bool IsCapturing(vtkPVRenderView* view)
+  {
+    return (view->*&ScreenshotView::GetInCaptureScreenshot)();
+  }
+};
 } // namespace
 
 vtkFlatBlockVolumeRepresentation::vtkFlatBlockVolumeRepresentation()
@@ -55,30 +109,133 @@ vtkFlatBlockVolumeRepresentation::vtkFlatBlockVolumeRepresentation()
 
 vtkFlatBlockVolumeRepresentation::~vtkFlatBlockVolumeRepresentation() = default;
 
+void vtkFlatBlockVolumeRepresentation::SetSettings(vtkFlatBlockVolumeMapper* settings)
+{
+  if (settings && this->VolumeMapper != settings)
+  {
+    this->VolumeMapper = settings;
+    this->MarkModified();
+  }
+}
+
+vtkFlatBlockVolumeMapper* vtkFlatBlockVolumeRepresentation::GetSettings() const
+{
+  return static_cast<vtkFlatBlockVolumeMapper*>(this->VolumeMapper.Get());
+}
+
+void vtkFlatBlockVolumeRepresentation::SetCurvatureColor(vtkColorTransferFunction* color)
+{
+  this->CurvatureColor = color;
+}
+
+void vtkFlatBlockVolumeRepresentation::SetCurvatureOpacity(vtkPiecewiseFunction* opacity)
+{
+  this->CurvatureOpacity = opacity;
+}
+
+vtkFlatBlockVolumeMapper* vtkFlatBlockVolumeRepresentation::GetMapper(int piece)
+{
+  const auto& mappers = this->Pieces->GetMappers();
+  return piece >= 0 && piece < static_cast<int>(mappers.size()) ? mappers[piece].Get() : nullptr;
+}
+
 int vtkFlatBlockVolumeRepresentation::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
-void vtkFlatBlockVolumeRepresentation::SetBlockSize(int samples)
+// The stock representation takes one image: what is made of several goes to it as its input, or
+// past it.
+int vtkFlatBlockVolumeRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  AsFlatBlockMapper(this->VolumeMapper)->SetBlockSize(samples);
+  auto* data = inputs[0]->GetNumberOfInformationObjects() == 1
+                 ? vtkCompositeDataSet::GetData(inputs[0], 0)
+                 : nullptr;
+  if (!data)
+  {
+    return this->Superclass::RequestData(request, inputs, outputs);
+  }
+  const auto images = flatblock::GetImages(data);
+  if (const auto merged = flatblock::MergeImages(images))
+  {
+    vtkNew<vtkInformation> info;
+    info->Copy(inputs[0]->GetInformationObject(0));
+    info->Set(vtkDataObject::DATA_OBJECT(), merged);
+    info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), merged->GetExtent(), 6);
+    vtkNew<vtkInformationVector> input;
+    input->Append(info);
+    vtkInformationVector* one[] = { input };
+    return this->Superclass::RequestData(request, one, outputs);
+  }
+  vtkNew<vtkPartitionedDataSet> pieces;
+  this->DataSize = 0;
+  for (unsigned int i = 0; i < images.size(); ++i)
+  {
+    pieces->SetPartition(i, images[i]);
+    this->DataSize += images[i]->GetActualMemorySize();
+  }
+  pieces->GetBounds(this->DataBounds);
+  this->Actor->SetEnableLOD(0);
+  this->OutlineSource->SetBounds(this->DataBounds);
+  this->OutlineSource->Update();
+  this->Cache = pieces;
+  return this->vtkVolumeRepresentation::RequestData(request, inputs, outputs);
 }
 
-void vtkFlatBlockVolumeRepresentation::SetSampleDistance(double distance)
+bool vtkFlatBlockVolumeRepresentation::AddToView(vtkView* view)
 {
-  AsFlatBlockMapper(this->VolumeMapper)->SetSampleDistance(distance);
+  this->View = vtkPVRenderView::SafeDownCast(view);
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkFlatBlockVolumeRepresentation::RemoveFromView(vtkView* view)
+{
+  this->ReleaseMemory();
+  this->View = nullptr;
+  return this->Superclass::RemoveFromView(view);
+}
+
+void vtkFlatBlockVolumeRepresentation::SetVisibility(bool isVisible)
+{
+  this->Superclass::SetVisibility(isVisible);
+  if (!isVisible)
+  {
+    this->ReleaseMemory();
+  }
+}
+
+void vtkFlatBlockVolumeRepresentation::ReleaseMemory()
+{
+  if (this->View && this->View->GetRenderWindow())
+  {
+    this->Pieces->ReleaseGraphicsResources(this->View->GetRenderWindow());
+  }
 }
 
 void vtkFlatBlockVolumeRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
+  this->Pieces->SetImages(GetDelivered(this->VolumeMapper->GetInputDataObject(0, 0)));
+  this->ShowChosenArray();
+  this->ChooseComponent();
+  this->UpdateWanted();
+  this->Pieces->CopySettings(this->Wanted);
+  this->Actor->SetMapper(this->Pieces->GetMappers().size() == 1
+      ? static_cast<vtkVolumeMapper*>(this->Pieces->GetMappers().front())
+      : this->Pieces.Get());
+}
+
+void vtkFlatBlockVolumeRepresentation::ShowChosenArray()
+{
   vtkInformation* chosen = this->GetInputArrayInformation(0);
   const char* name =
     chosen->Has(vtkDataObject::FIELD_NAME()) ? chosen->Get(vtkDataObject::FIELD_NAME()) : nullptr;
-  vtkDataArray* found = name && *name ? nullptr : FindArray(this->Cache);
+  vtkDataArray* found =
+    name && *name ? nullptr : FindArray(GetDelivered(this->VolumeMapper->GetInputDataObject(0, 0)));
   if (!found)
   {
     this->Actor->SetProperty(this->Property);
@@ -97,8 +254,110 @@ void vtkFlatBlockVolumeRepresentation::UpdateMapperParameters()
   this->Actor->SetVisibility(true);
 }
 
+// As the stock representation tells its mapper.
+void vtkFlatBlockVolumeRepresentation::ChooseComponent()
+{
+  vtkFlatBlockVolumeMapper* settings = this->GetSettings();
+  if (this->UseTransfer2D)
+  {
+    const bool hasArray = !this->UseGradientForTransfer2D && !this->ColorArray2Name.empty();
+    settings->SetTransfer2DYAxisArray(hasArray ? this->ColorArray2Name.c_str() : nullptr);
+    return;
+  }
+  settings->SetTransfer2DYAxisArray(nullptr);
+  vtkColorTransferFunction* color = this->Property->GetRGBTransferFunction();
+  const bool isIndependent = this->Property->GetIndependentComponents() != 0;
+  settings->SetVectorMode(isIndependent && this->Actor->GetProperty() == this->Property
+      ? color->GetVectorMode()
+      : vtkFlatBlockVolumeMapper::DISABLED);
+  settings->SetVectorComponent(color->GetVectorComponent());
+}
+
+void vtkFlatBlockVolumeRepresentation::UpdateWanted()
+{
+  this->Wanted->ShallowCopy(this->VolumeMapper);
+  Apply(this->Quality, this->Wanted);
+  this->Wanted->SetMaxMemoryInBytes(vtkTypeInt64(this->MemoryLimit) << 20);
+  this->Wanted->SetCurvatureColor(this->UseCurvatureColor ? this->CurvatureColor.Get() : nullptr);
+  this->Wanted->SetCurvatureOpacity(
+    this->UseCurvatureOpacity ? this->CurvatureOpacity.Get() : nullptr);
+  if (this->Projection > 0)
+  {
+    this->Wanted->SetBlendMode(this->Projection);
+  }
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  const bool isAlone = !controller || controller->GetNumberOfProcesses() == 1;
+  this->Wanted->SetProgressiveStills(
+    this->Progressive && isAlone && this->View && !ScreenshotView::IsCapturing(this->View));
+}
+
+int vtkFlatBlockVolumeRepresentation::GetConverged()
+{
+  const auto& mappers = this->Pieces->GetMappers();
+  return std::all_of(mappers.begin(), mappers.end(),
+           [](vtkFlatBlockVolumeMapper* mapper)
+           { return mapper->GetConverged() || mapper->GetNumberOfPendingChanges() == 0; })
+           ? 1
+           : 0;
+}
+
+const char* vtkFlatBlockVolumeRepresentation::GetStatus()
+{
+  constexpr double Mebibyte = 1048576.0;
+  constexpr int MostLevels = 16;
+  double resident = 0.0;
+  double milliseconds = 0.0;
+  vtkTypeInt64 visible = 0;
+  vtkTypeInt64 pending = 0;
+  std::vector<vtkTypeInt64> bricks(MostLevels, 0);
+  double distortion = 0.0;
+  bool hasDistortion = !this->Pieces->GetMappers().empty();
+  for (vtkFlatBlockVolumeMapper* mapper : this->Pieces->GetMappers())
+  {
+    resident += static_cast<double>(mapper->GetMemoryInBytes()) / Mebibyte;
+    visible += mapper->GetNumberOfVisibleBlocks();
+    pending += mapper->GetNumberOfPendingChanges();
+    milliseconds += mapper->GetRangeMilliseconds() + mapper->GetDistortionMilliseconds() +
+                    mapper->GetSelectionMilliseconds() + mapper->GetUploadMilliseconds() +
+                    mapper->GetDrawMilliseconds();
+    for (int level = 0; level < MostLevels; ++level)
+    {
+      bricks[level] += mapper->GetNumberOfBricks(level);
+    }
+    hasDistortion = hasDistortion && mapper->GetDistortionComplete() &&
+                    mapper->GetSelectionCriterion() != vtkFlatBlockVolumeMapper::DISTANCE;
+    distortion = hasDistortion
+                   ? std::max(distortion, mapper->GetMeanDistortionOfUnrefinedBlocks())
+                   : 0.0;
+  }
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << "Memory: " << resident << " of "
+       << this->MemoryLimit << " MiB\nBlocks seen: " << visible << "\nLevels in use:";
+  for (int level = 0; level < MostLevels; ++level)
+  {
+    text << (bricks[level] > 0 ? " " + std::to_string(level) + " (" + std::to_string(bricks[level]) + ")"
+                               : std::string());
+  }
+  text << "\nMean distortion: ";
+  (hasDistortion ? text << std::setprecision(3) << distortion : text << "not asked for");
+  const double share =
+    visible > 0 ? 100.0 * static_cast<double>(visible - pending) / static_cast<double>(visible)
+                : 100.0;
+  text << std::setprecision(0) << "\nConverged: "
+       << (this->GetConverged() != 0 ? std::string("yes") : std::to_string(static_cast<int>(share)) + " %")
+       << std::setprecision(1) << "\nLast frame: " << milliseconds << " ms";
+  this->Status = text.str();
+  return this->Status.c_str();
+}
+
 void vtkFlatBlockVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  this->VolumeMapper->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Quality: " << this->Quality << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "Projection: " << this->Projection << "\n";
+  os << indent << "UseCurvatureColor: " << this->UseCurvatureColor << "\n";
+  os << indent << "UseCurvatureOpacity: " << this->UseCurvatureOpacity << "\n";
+  os << indent << "Progressive: " << this->Progressive << "\n";
+  this->Pieces->PrintSelf(os, indent.GetNextIndent());
 }

@@ -1,0 +1,53 @@
+#include "pqFlatBlockStatus.h"
+
+#include "pqActiveObjects.h"
+#include "pqView.h"
+#include "vtkSMPropertyGroup.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+pqFlatBlockStatus::pqFlatBlockStatus(
+  vtkSMProxy* proxy, vtkSMPropertyGroup* /*group*/, QWidget* parent)
+  : Superclass(proxy, parent), Text(new QLabel(this))
+{
+  this->Text->setObjectName("FlatBlockStatus");
+  this->Text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->addWidget(this->Text);
+  this->setShowLabel(false);
+  this->setView(pqActiveObjects::instance().activeView());
+  this->refresh();
+}
+
+pqFlatBlockStatus::~pqFlatBlockStatus() = default;
+
+void pqFlatBlockStatus::setView(pqView* view)
+{
+  this->Superclass::setView(view);
+  if (this->WatchedView != view)
+  {
+    if (this->WatchedView)
+    {
+      this->disconnect(this->WatchedView, nullptr, this, nullptr);
+    }
+    this->WatchedView = view;
+    if (view)
+    {
+      this->connect(view, SIGNAL(endRender()), SLOT(refresh()));
+    }
+  }
+}
+
+void pqFlatBlockStatus::refresh()
+{
+  vtkSMProperty* status = this->proxy()->GetProperty("FlatBlockStatus");
+  if (status)
+  {
+    this->proxy()->UpdatePropertyInformation(status);
+    this->Text->setText(vtkSMPropertyHelper(status).GetAsString());
+  }
+}
