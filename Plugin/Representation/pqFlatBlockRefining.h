@@ -3,8 +3,8 @@
  * @brief   lets views of Flat-block Volumes render until all blocks have the level that is wanted
  *
  * A still takes one step, and the next one comes when nothing else is to be done: so that the
- * program answers in between. Stops while one moves the camera; animations that play draw each frame
- * wholly.
+ * program answers in between. Stops while one moves the camera; animations that play draw each
+ * frame wholly.
  */
 
 #ifndef pqFlatBlockRefining_h

@@ -1,13 +1,15 @@
 #include "pqFlatBlockShading.h"
 
+#include "pqPropertiesPanel.h"
 #include "pqPropertyWidgetDecorator.h"
 #include "pqProxyWidget.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
 #include "vtkSMProxy.h"
 
-#include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cstring>
@@ -19,6 +21,8 @@ struct Stock
   const char* Name;
   bool IsAdvanced;
 };
+
+constexpr int LabelWidth = 110; // pixels
 
 constexpr Stock Shared[] = { { "Shade", false }, { "VolumetricScatteringBlending", false },
   { "GlobalIlluminationReach", false }, { "VolumeAnisotropy", true }, { "BlendMode", false },
@@ -34,23 +38,24 @@ pqFlatBlockShading::pqFlatBlockShading(
   : Superclass(proxy, parent)
 {
   this->setShowLabel(false);
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(0, 0, 0, 0);
+  auto* lines = new QVBoxLayout(this);
+  lines->setContentsMargins(0, 0, 0, 0);
+  lines->setSpacing(pqPropertiesPanel::suggestedVerticalSpacing());
   for (const Stock& stock : Shared)
   {
-    this->addRow(proxy->GetProperty(stock.Name), stock.IsAdvanced, form);
+    this->addRow(proxy->GetProperty(stock.Name), stock.IsAdvanced);
   }
   for (unsigned int i = 0; i < group->GetNumberOfProperties(); ++i)
   {
     vtkSMProperty* property = group->GetProperty(i);
-    this->addRow(property, std::strcmp(property->GetPanelVisibility(), "advanced") == 0, form);
+    this->addRow(property, std::strcmp(property->GetPanelVisibility(), "advanced") == 0);
   }
   this->hideRows();
 }
 
 pqFlatBlockShading::~pqFlatBlockShading() = default;
 
-void pqFlatBlockShading::addRow(vtkSMProperty* property, bool isAdvanced, QFormLayout* form)
+void pqFlatBlockShading::addRow(vtkSMProperty* property, bool isAdvanced)
 {
   pqPropertyWidget* widget =
     property ? pqProxyWidget::createWidgetForProperty(property, this->proxy(), this) : nullptr;
@@ -64,12 +69,21 @@ void pqFlatBlockShading::addRow(vtkSMProperty* property, bool isAdvanced, QFormL
   {
     this->connect(decorator, SIGNAL(visibilityChanged()), SLOT(hideRows()));
   }
-  auto* label = new QLabel(property->GetXMLLabel(), this);
-  label->setToolTip(widget->toolTip());
-  label->setWordWrap(true);
-  form->addRow(widget->showLabel() ? label : nullptr, widget);
-  label->setVisible(widget->showLabel());
-  this->Rows.append({ widget->showLabel() ? label : nullptr, widget, isAdvanced });
+  auto* line = new QWidget(this);
+  auto* sides = new QHBoxLayout(line);
+  sides->setContentsMargins(0, 0, 0, 0);
+  sides->setSpacing(pqPropertiesPanel::suggestedHorizontalSpacing());
+  if (widget->showLabel())
+  {
+    auto* label = new QLabel(property->GetXMLLabel(), line);
+    label->setToolTip(widget->toolTip());
+    label->setWordWrap(true);
+    label->setFixedWidth(LabelWidth);
+    sides->addWidget(label);
+  }
+  sides->addWidget(widget, 1);
+  this->layout()->addWidget(line);
+  this->Rows.append({ line, widget, isAdvanced });
 }
 
 void pqFlatBlockShading::apply()
@@ -105,15 +119,10 @@ void pqFlatBlockShading::hideRows()
   for (const Row& row : this->Rows)
   {
     const auto& decorators = row.Widget->decorators();
-    const bool isShown =
-      (this->ShowsAdvanced || !row.IsAdvanced) &&
-      std::all_of(decorators.begin(), decorators.end(),
-        [this](pqPropertyWidgetDecorator* decorator)
-        { return !decorator || decorator->canShowWidget(this->ShowsAdvanced); });
-    row.Widget->setVisible(isShown);
-    if (row.Label)
-    {
-      row.Label->setVisible(isShown);
-    }
+    const bool isShown = (this->ShowsAdvanced || !row.IsAdvanced) &&
+                         std::all_of(decorators.begin(), decorators.end(),
+                           [this](pqPropertyWidgetDecorator* decorator)
+                           { return !decorator || decorator->canShowWidget(this->ShowsAdvanced); });
+    row.Line->setVisible(isShown);
   }
 }

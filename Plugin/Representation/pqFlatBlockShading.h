@@ -13,7 +13,6 @@
 
 #include <QList>
 
-class QFormLayout;
 class vtkSMPropertyGroup;
 
 class pqFlatBlockShading : public pqPropertyWidget
@@ -38,12 +37,12 @@ private:
 
   struct Row
   {
-    QWidget* Label = nullptr;
+    QWidget* Line = nullptr; // label and widget
     pqPropertyWidget* Widget = nullptr;
     bool IsAdvanced = false;
   };
 
-  void addRow(vtkSMProperty* property, bool isAdvanced, QFormLayout* form);
+  void addRow(vtkSMProperty* property, bool isAdvanced);
 
   QList<Row> Rows;
   bool ShowsAdvanced = false;

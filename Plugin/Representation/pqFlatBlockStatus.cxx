@@ -1,6 +1,7 @@
 #include "pqFlatBlockStatus.h"
 
 #include "pqActiveObjects.h"
+#include "pqProxyWidget.h"
 #include "pqView.h"
 #include "vtkSMPropertyGroup.h"
 #include "vtkSMPropertyHelper.h"
@@ -9,15 +10,22 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-pqFlatBlockStatus::pqFlatBlockStatus(
-  vtkSMProxy* proxy, vtkSMPropertyGroup* /*group*/, QWidget* parent)
+pqFlatBlockStatus::pqFlatBlockStatus(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
   : Superclass(proxy, parent), Text(new QLabel(this))
 {
   this->Text->setObjectName("FlatBlockStatus");
   this->Text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* box = new QVBoxLayout(this);
-  box->setContentsMargins(0, 0, 0, 0);
-  box->addWidget(this->Text);
+  auto* lines = new QVBoxLayout(this);
+  lines->setContentsMargins(0, 0, 0, 0);
+  lines->addWidget(this->Text);
+  vtkSMProperty* profiling = group->GetProperty("FlatBlockProfiling");
+  if (auto* box =
+        profiling ? pqProxyWidget::createWidgetForProperty(profiling, proxy, this) : nullptr)
+  {
+    this->connect(box, SIGNAL(changeAvailable()), SIGNAL(changeAvailable()));
+    this->connect(box, SIGNAL(changeFinished()), SIGNAL(changeFinished()));
+    lines->addWidget(box);
+  }
   this->setShowLabel(false);
   this->setView(pqActiveObjects::instance().activeView());
   this->refresh();

@@ -131,8 +131,7 @@ std::vector<vtkSmartPointer<vtkImageData>> GetImages(vtkDataObject* data)
   return images;
 }
 
-vtkSmartPointer<vtkImageData> MergeImages(
-  const std::vector<vtkSmartPointer<vtkImageData>>& images)
+vtkSmartPointer<vtkImageData> MergeImages(const std::vector<vtkSmartPointer<vtkImageData>>& images)
 {
   if (images.size() < 2)
   {

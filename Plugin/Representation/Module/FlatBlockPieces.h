@@ -15,6 +15,5 @@ std::vector<vtkSmartPointer<vtkImageData>> GetImages(vtkDataObject* data);
 
 /// One image of all, with their arrays of points and cells, where they have one spacing and
 /// direction, fill a box without gaps, and their samples lie on one grid; nullptr elsewhere.
-vtkSmartPointer<vtkImageData> MergeImages(
-  const std::vector<vtkSmartPointer<vtkImageData>>& images);
+vtkSmartPointer<vtkImageData> MergeImages(const std::vector<vtkSmartPointer<vtkImageData>>& images);
 } // namespace flatblock

@@ -4,7 +4,6 @@
 #include "vtkCamera.h"
 #include "vtkFlatBlockVolumeMapper.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
@@ -56,7 +55,8 @@ bool IsBehind(const Box& far, const Box& near, const std::array<double, 4>& eye)
 }
 
 // Of boxes that don't overlap, from the farthest to the nearest.
-std::vector<std::size_t> SortFromFar(const std::vector<Box>& boxes, const std::array<double, 4>& eye)
+std::vector<std::size_t> SortFromFar(
+  const std::vector<Box>& boxes, const std::array<double, 4>& eye)
 {
   std::vector<std::size_t> rest(boxes.size());
   std::vector<std::size_t> sorted;
@@ -88,6 +88,8 @@ void vtkFlatBlockPiecesMapper::SetImages(const std::vector<vtkImageData*>& image
 {
   this->Mappers.resize(images.size());
   this->Images.resize(images.size());
+  // One of them stands for all, or a volume would take this for empty.
+  this->SetInputDataObject(0, images.empty() ? nullptr : images.front());
   for (std::size_t i = 0; i < images.size(); ++i)
   {
     if (!this->Mappers[i])
@@ -127,13 +129,6 @@ void vtkFlatBlockPiecesMapper::CopySettings(vtkFlatBlockVolumeMapper* settings)
     }
   }
   settings->SetMaxMemoryInBytes(static_cast<vtkTypeInt64>(memory));
-}
-
-// Images are set, and not connected.
-int vtkFlatBlockPiecesMapper::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 double* vtkFlatBlockPiecesMapper::GetBounds()

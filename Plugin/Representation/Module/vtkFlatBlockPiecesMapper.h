@@ -49,8 +49,6 @@ protected:
   vtkFlatBlockPiecesMapper();
   ~vtkFlatBlockPiecesMapper() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-
 private:
   vtkFlatBlockPiecesMapper(const vtkFlatBlockPiecesMapper&) = delete;
   void operator=(const vtkFlatBlockPiecesMapper&) = delete;

@@ -3,14 +3,19 @@
 #include "FlatBlockPieces.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFlatBlockPiecesMapper.h"
+#include "vtkFlatBlockStatus.h"
 #include "vtkFlatBlockVolumeMapper.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutlineSource.h"
@@ -24,13 +29,14 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
+#include <array>
 
 vtkStandardNewMacro(vtkFlatBlockVolumeRepresentation);
 
 namespace
 {
+const char* const OwnBounds = "FlatBlockOwnBounds"; // of the cells that are no ghosts
+
 // The images of what is delivered to this process, which RequestData() has made ready.
 std::vector<vtkImageData*> GetDelivered(vtkDataObject* data)
 {
@@ -147,6 +153,45 @@ int vtkFlatBlockVolumeRepresentation::FillInputPortInformation(int, vtkInformati
   return 1;
 }
 
+// Of several ranks each draws its own cells, but gradients and splines reach for those around.
+int vtkFlatBlockVolumeRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const int isDone = this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  constexpr int Around = 2;
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = inputs[0]->GetInformationObject(i);
+    if (info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+    {
+      info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), Around);
+    }
+  }
+  return isDone;
+}
+
+// The stock representation crops ghosts off; here they stay, and are cut off where rays are drawn.
+void vtkFlatBlockVolumeRepresentation::KeepGhosts(vtkImageData* image)
+{
+  auto* own = vtkImageData::SafeDownCast(this->Cache);
+  if (!image || !own || !image->HasAnyGhostCells() || this->UseSeparateOpacityArray ||
+      !image->GetDirectionMatrix()->IsIdentity())
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> bounds;
+  bounds->SetName(OwnBounds);
+  bounds->SetNumberOfComponents(6);
+  bounds->InsertNextTuple(own->GetBounds());
+  vtkNew<vtkImageData> whole;
+  whole->ShallowCopy(image);
+  whole->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  whole->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  whole->GetFieldData()->AddArray(bounds);
+  this->Cache = whole;
+}
+
 // The stock representation takes one image: what is made of several goes to it as its input, or
 // past it.
 int vtkFlatBlockVolumeRepresentation::RequestData(
@@ -157,7 +202,9 @@ int vtkFlatBlockVolumeRepresentation::RequestData(
                  : nullptr;
   if (!data)
   {
-    return this->Superclass::RequestData(request, inputs, outputs);
+    const int isDone = this->Superclass::RequestData(request, inputs, outputs);
+    this->KeepGhosts(vtkImageData::GetData(inputs[0], 0));
+    return isDone;
   }
   const auto images = flatblock::GetImages(data);
   if (const auto merged = flatblock::MergeImages(images))
@@ -225,8 +272,8 @@ void vtkFlatBlockVolumeRepresentation::UpdateMapperParameters()
   this->UpdateWanted();
   this->Pieces->CopySettings(this->Wanted);
   this->Actor->SetMapper(this->Pieces->GetMappers().size() == 1
-      ? static_cast<vtkVolumeMapper*>(this->Pieces->GetMappers().front())
-      : this->Pieces.Get());
+                           ? static_cast<vtkVolumeMapper*>(this->Pieces->GetMappers().front())
+                           : this->Pieces.Get());
 }
 
 void vtkFlatBlockVolumeRepresentation::ShowChosenArray()
@@ -268,8 +315,8 @@ void vtkFlatBlockVolumeRepresentation::ChooseComponent()
   vtkColorTransferFunction* color = this->Property->GetRGBTransferFunction();
   const bool isIndependent = this->Property->GetIndependentComponents() != 0;
   settings->SetVectorMode(isIndependent && this->Actor->GetProperty() == this->Property
-      ? color->GetVectorMode()
-      : vtkFlatBlockVolumeMapper::DISABLED);
+                            ? color->GetVectorMode()
+                            : vtkFlatBlockVolumeMapper::DISABLED);
   settings->SetVectorComponent(color->GetVectorComponent());
 }
 
@@ -281,6 +328,7 @@ void vtkFlatBlockVolumeRepresentation::UpdateWanted()
   this->Wanted->SetCurvatureColor(this->UseCurvatureColor ? this->CurvatureColor.Get() : nullptr);
   this->Wanted->SetCurvatureOpacity(
     this->UseCurvatureOpacity ? this->CurvatureOpacity.Get() : nullptr);
+  this->CutGhostsOff();
   if (this->Projection > 0)
   {
     this->Wanted->SetBlendMode(this->Projection);
@@ -291,63 +339,32 @@ void vtkFlatBlockVolumeRepresentation::UpdateWanted()
     this->Progressive && isAlone && this->View && !ScreenshotView::IsCapturing(this->View));
 }
 
-int vtkFlatBlockVolumeRepresentation::GetConverged()
+void vtkFlatBlockVolumeRepresentation::CutGhostsOff()
 {
-  const auto& mappers = this->Pieces->GetMappers();
-  return std::all_of(mappers.begin(), mappers.end(),
-           [](vtkFlatBlockVolumeMapper* mapper)
-           { return mapper->GetConverged() || mapper->GetNumberOfPendingChanges() == 0; })
-           ? 1
-           : 0;
+  auto* image = vtkImageData::SafeDownCast(this->VolumeMapper->GetInputDataObject(0, 0));
+  vtkDataArray* own = image ? image->GetFieldData()->GetArray(OwnBounds) : nullptr;
+  if (!own)
+  {
+    return;
+  }
+  std::array<double, 6> planes;
+  own->GetTuple(0, planes.data());
+  for (int axis = 0; axis < 3 && this->Wanted->GetCropping() != 0; ++axis)
+  {
+    const double* cropped = this->Wanted->GetCroppingRegionPlanes();
+    planes[2 * axis] = std::max(planes[2 * axis], cropped[2 * axis]);
+    planes[2 * axis + 1] = std::min(planes[2 * axis + 1], cropped[2 * axis + 1]);
+  }
+  this->Wanted->SetCropping(1);
+  this->Wanted->SetCroppingRegionPlanes(planes.data());
 }
 
-const char* vtkFlatBlockVolumeRepresentation::GetStatus()
+void vtkFlatBlockVolumeRepresentation::SetStatus(vtkFlatBlockStatus* status)
 {
-  constexpr double Mebibyte = 1048576.0;
-  constexpr int MostLevels = 16;
-  double resident = 0.0;
-  double milliseconds = 0.0;
-  vtkTypeInt64 visible = 0;
-  vtkTypeInt64 pending = 0;
-  std::vector<vtkTypeInt64> bricks(MostLevels, 0);
-  double distortion = 0.0;
-  bool hasDistortion = !this->Pieces->GetMappers().empty();
-  for (vtkFlatBlockVolumeMapper* mapper : this->Pieces->GetMappers())
+  if (status)
   {
-    resident += static_cast<double>(mapper->GetMemoryInBytes()) / Mebibyte;
-    visible += mapper->GetNumberOfVisibleBlocks();
-    pending += mapper->GetNumberOfPendingChanges();
-    milliseconds += mapper->GetRangeMilliseconds() + mapper->GetDistortionMilliseconds() +
-                    mapper->GetSelectionMilliseconds() + mapper->GetUploadMilliseconds() +
-                    mapper->GetDrawMilliseconds();
-    for (int level = 0; level < MostLevels; ++level)
-    {
-      bricks[level] += mapper->GetNumberOfBricks(level);
-    }
-    hasDistortion = hasDistortion && mapper->GetDistortionComplete() &&
-                    mapper->GetSelectionCriterion() != vtkFlatBlockVolumeMapper::DISTANCE;
-    distortion = hasDistortion
-                   ? std::max(distortion, mapper->GetMeanDistortionOfUnrefinedBlocks())
-                   : 0.0;
+    status->SetPieces(this->Pieces);
   }
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << "Memory: " << resident << " of "
-       << this->MemoryLimit << " MiB\nBlocks seen: " << visible << "\nLevels in use:";
-  for (int level = 0; level < MostLevels; ++level)
-  {
-    text << (bricks[level] > 0 ? " " + std::to_string(level) + " (" + std::to_string(bricks[level]) + ")"
-                               : std::string());
-  }
-  text << "\nMean distortion: ";
-  (hasDistortion ? text << std::setprecision(3) << distortion : text << "not asked for");
-  const double share =
-    visible > 0 ? 100.0 * static_cast<double>(visible - pending) / static_cast<double>(visible)
-                : 100.0;
-  text << std::setprecision(0) << "\nConverged: "
-       << (this->GetConverged() != 0 ? std::string("yes") : std::to_string(static_cast<int>(share)) + " %")
-       << std::setprecision(1) << "\nLast frame: " << milliseconds << " ms";
-  this->Status = text.str();
-  return this->Status.c_str();
 }
 
 void vtkFlatBlockVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)

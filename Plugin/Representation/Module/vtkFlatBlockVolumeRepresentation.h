@@ -15,12 +15,12 @@
 #include "vtkNew.h"         // for mappers
 #include "vtkWeakPointer.h" // for the view
 
-#include <string> // for the status
-
 class vtkColorTransferFunction;
 class vtkDataArray;
 class vtkFlatBlockPiecesMapper;
+class vtkFlatBlockStatus;
 class vtkFlatBlockVolumeMapper;
+class vtkImageData;
 class vtkPiecewiseFunction;
 class vtkPVRenderView;
 
@@ -95,21 +95,17 @@ public:
   ///@{
   /**
    * Whether stills that are not screenshots take one step towards the levels that are wanted, and
-   * not all: for a view that renders until GetConverged(). Of several ranks none does. Default:
-   * off.
+   * not all: for a view that renders until vtkFlatBlockStatus says that it has converged. Of
+   * several ranks none does. Default: off.
    */
   vtkSetMacro(Progressive, bool);
   vtkGetMacro(Progressive, bool);
   ///@}
 
-  ///@{
   /**
-   * Of the last frame, on the rank that is asked: whether all blocks have the level that is wanted,
-   * or nothing is drawn; and a text for people: memory, levels, distortion, progress, time.
+   * What tells of the last frame, on processes that draw.
    */
-  int GetConverged();
-  const char* GetStatus();
-  ///@}
+  void SetStatus(vtkFlatBlockStatus* status);
 
   /**
    * What draws an image, the first one where there are several; nullptr where there is none.
@@ -123,8 +119,10 @@ protected:
   ~vtkFlatBlockVolumeRepresentation() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
-    vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
@@ -138,9 +136,11 @@ private:
   void operator=(const vtkFlatBlockVolumeRepresentation&) = delete;
 
   vtkFlatBlockVolumeMapper* GetSettings() const;
+  void KeepGhosts(vtkImageData* image);
   void ShowChosenArray();
   void ChooseComponent();
   void UpdateWanted();
+  void CutGhostsOff();
   void ReleaseMemory();
 
   int Quality = CUSTOM;
@@ -156,7 +156,6 @@ private:
   vtkNew<vtkVolumeProperty> GrayProperty;
   vtkDataArray* ShownInGray = nullptr; // only compared with
   vtkWeakPointer<vtkPVRenderView> View;
-  std::string Status;
 };
 
 #endif
