@@ -8,16 +8,20 @@
 #include "vtkSMProxy.h"
 
 #include <QLabel>
+#include <QProgressBar>
 #include <QVBoxLayout>
 
 pqFlatBlockStatus::pqFlatBlockStatus(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
-  : Superclass(proxy, parent), Text(new QLabel(this))
+  : Superclass(proxy, parent), Text(new QLabel(this)), Progress(new QProgressBar(this))
 {
   this->Text->setObjectName("FlatBlockStatus");
   this->Text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* lines = new QVBoxLayout(this);
   lines->setContentsMargins(0, 0, 0, 0);
   lines->addWidget(this->Text);
+  this->Progress->setObjectName("FlatBlockProgress");
+  this->Progress->setFormat("%p % of the visible blocks as fine as wanted");
+  lines->addWidget(this->Progress);
   vtkSMProperty* profiling = group->GetProperty("FlatBlockProfiling");
   if (auto* box =
         profiling ? pqProxyWidget::createWidgetForProperty(profiling, proxy, this) : nullptr)
@@ -53,9 +57,12 @@ void pqFlatBlockStatus::setView(pqView* view)
 void pqFlatBlockStatus::refresh()
 {
   vtkSMProperty* status = this->proxy()->GetProperty("FlatBlockStatus");
-  if (status)
+  vtkSMProperty* progress = this->proxy()->GetProperty("FlatBlockProgress");
+  if (status && progress)
   {
     this->proxy()->UpdatePropertyInformation(status);
+    this->proxy()->UpdatePropertyInformation(progress);
     this->Text->setText(vtkSMPropertyHelper(status).GetAsString());
+    this->Progress->setValue(vtkSMPropertyHelper(progress).GetAsInt());
   }
 }

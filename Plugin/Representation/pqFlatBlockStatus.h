@@ -11,6 +11,7 @@
 #include <QPointer>
 
 class QLabel;
+class QProgressBar;
 class pqView;
 class vtkSMPropertyGroup;
 
@@ -32,6 +33,7 @@ private:
   Q_DISABLE_COPY(pqFlatBlockStatus)
 
   QLabel* Text;
+  QProgressBar* Progress;
   QPointer<pqView> WatchedView;
 };
 

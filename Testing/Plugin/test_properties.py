@@ -103,7 +103,7 @@ def main(files):
     for name, element in {**mapper, **representation}.items():
         text = element.find("Documentation")
         assert text is not None and len(text.text) > 15, name
-    assert set(mapper) == set(exposed) - {"Text", "Converged"}, set(mapper) ^ set(exposed)
+    assert set(mapper) == set(exposed) - {"Text", "Converged", "Progress"}, set(mapper) ^ set(exposed)
     view = session.make_view()
     display = session.show(session.make_wavelet(15), view)
     simple.Render(view)

@@ -88,7 +88,8 @@ def main(output):
     check_views(wavelet, display, view, picture, output)
     check_edits(display, view, output)
     check_selection(wavelet, view)
-    assert "Converged: yes" in session.get_status(display), session.get_status(display)
+    assert "Memory: " in session.get_status(display), session.get_status(display)
+    assert display.GetProperty("FlatBlockProgress")[0] == 100
     simple.Delete(display)
     assert mapper.GetMemoryInBytes() == 0
 

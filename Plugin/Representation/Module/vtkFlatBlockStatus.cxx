@@ -26,7 +26,6 @@ struct Sums
   double Distortion = 0.0;   ///< the largest mean,
   bool HasDistortion = true; ///< where all know it
   vtkTypeInt64 Visible = 0;
-  vtkTypeInt64 Pending = 0;
   std::array<vtkTypeInt64, MostLevels> Bricks = {};
 };
 
@@ -35,7 +34,6 @@ void Add(vtkFlatBlockVolumeMapper* mapper, Sums& sums)
   sums.Bytes += static_cast<double>(mapper->GetMemoryInBytes());
   sums.MostBytes += static_cast<double>(mapper->GetMaxMemoryInBytes());
   sums.Visible += mapper->GetNumberOfVisibleBlocks();
-  sums.Pending += mapper->GetNumberOfPendingChanges();
   sums.Milliseconds += std::max(mapper->GetGPUMilliseconds(), 0.0) +
                        mapper->GetRangeMilliseconds() + mapper->GetDistortionMilliseconds() +
                        mapper->GetSelectionMilliseconds() + mapper->GetUploadMilliseconds() +
@@ -73,6 +71,22 @@ int vtkFlatBlockStatus::GetConverged()
            : 0;
 }
 
+int vtkFlatBlockStatus::GetProgress()
+{
+  if (this->GetConverged() != 0)
+  {
+    return 100;
+  }
+  vtkTypeInt64 visible = 0;
+  vtkTypeInt64 pending = 0;
+  for (vtkFlatBlockVolumeMapper* mapper : this->Pieces->GetMappers())
+  {
+    visible += mapper->GetNumberOfVisibleBlocks();
+    pending += mapper->GetNumberOfPendingChanges();
+  }
+  return static_cast<int>(100 * (visible - pending) / std::max<vtkTypeInt64>(visible, 1));
+}
+
 const char* vtkFlatBlockStatus::GetText()
 {
   Sums sums;
@@ -98,15 +112,6 @@ const char* vtkFlatBlockStatus::GetText()
   {
     text << "\nMean distortion: " << std::setprecision(3) << sums.Distortion
          << std::setprecision(1);
-  }
-  text << "\nConverged: ";
-  if (this->GetConverged() != 0)
-  {
-    text << "yes";
-  }
-  else
-  {
-    text << 100 * (sums.Visible - sums.Pending) / std::max<vtkTypeInt64>(sums.Visible, 1) << " %";
   }
   text << "\nLast frame: " << sums.Milliseconds << " ms";
   this->Text = text.str();

@@ -32,7 +32,12 @@ public:
   int GetConverged();
 
   /**
-   * Lines for people: memory, levels, distortion, progress, time.
+   * Of visible blocks those that have it, in percent.
+   */
+  int GetProgress();
+
+  /**
+   * Lines for people: memory, levels, distortion, time.
    */
   const char* GetText();
 
