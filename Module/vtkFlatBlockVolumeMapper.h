@@ -232,7 +232,7 @@ public:
    * transparent come at once, coarse. A frame is interactive where the render window's desired
    * update rate is 1 or more, as with vtkSmartVolumeMapper; all others are converged before they
    * are shown, but with ProgressiveStills (default off), for programs that stay responsive and
-   * render again until GetConverged().
+   * render again until GetConverged(); bricks then lie elsewhere, and last bits may differ.
    */
   vtkSetClampMacro(RefinementFraction, double, 0.0, 1.0);
   vtkGetMacro(RefinementFraction, double);
@@ -302,6 +302,7 @@ public:
   vtkTypeInt64 GetUploadedBytes() const;
   vtkTypeInt64 GetMovedBytes() const;
   ///@}
+
   ///@{
   /**
    * Of the last frame: rays that MaximumNumberOfSamples cut off; its ImageSampleDistance.
@@ -326,9 +327,7 @@ public:
   void GetColorImage(vtkImageData* image) override;
   void GetDepthImage(vtkImageData* image) override;
 
-  /**
-   * Prints all these.
-   */
+  /// Prints all these.
   void PrintStatistics(ostream& os);
 
   /**
@@ -337,9 +336,7 @@ public:
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
 
-  /**
-   * Draws the volume. Called by vtkVolume.
-   */
+  /// Draws the volume. Called by vtkVolume.
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
   /**

@@ -302,9 +302,8 @@ bool vtkFlatBlockVolumeMapper::TryAtlas(vtkRenderer* renderer, vtkVolume* volume
     this->RefinementFraction * static_cast<double>(this->GetNumberOfBlocks()));
   budget.Texels =
     this->UploadBytesPerFrame / static_cast<vtkTypeInt64>(BytesPerTexel(source.GetEncoding()));
-  const flatblock::FramePlan frame =
-    in.PlanFrame(this->IsStepwise(renderer) ? &budget : nullptr,
-      this->InterblockContinuity && in.Sampling.MayCoarsenBorders());
+  const flatblock::FramePlan frame = in.PlanFrame(this->IsStepwise(renderer) ? &budget : nullptr,
+    this->InterblockContinuity && in.Sampling.MayCoarsenBorders());
 
   flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
   if (!in.Atlas->Execute(in.Window, frame, in.Residency, source))

@@ -37,7 +37,6 @@ pqFlatBlockShading::pqFlatBlockShading(
   vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
   : Superclass(proxy, parent)
 {
-  this->setShowLabel(false);
   auto* lines = new QVBoxLayout(this);
   lines->setContentsMargins(0, 0, 0, 0);
   lines->setSpacing(pqPropertiesPanel::suggestedVerticalSpacing());

@@ -30,7 +30,6 @@ pqFlatBlockStatus::pqFlatBlockStatus(vtkSMProxy* proxy, vtkSMPropertyGroup* grou
     this->connect(box, SIGNAL(changeFinished()), SIGNAL(changeFinished()));
     lines->addWidget(box);
   }
-  this->setShowLabel(false);
   this->setView(pqActiveObjects::instance().activeView());
   this->refresh();
 }

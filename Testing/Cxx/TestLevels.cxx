@@ -246,6 +246,23 @@ TEST(Levels, StillsConvergeBeforeTheyAreShown)
   EXPECT_EQ(LargestDifference(picture, fresh.Draw()), 0.0);
 }
 
+TEST(Levels, StillsMayConvergeStepByStep)
+{
+  Scene scene;
+  ShowShell(scene, 800000);
+  const auto converged = scene.Draw();
+  Scene steps;
+  ShowShell(steps, 800000);
+  steps.Mapper->ProgressiveStillsOn();
+  steps.Mapper->SetRefinementFraction(0.05);
+  EXPECT_LT(PSNR(steps.Draw(), converged), 40.0);
+  EXPECT_FALSE(steps.Mapper->GetConverged());
+  EXPECT_GT(steps.Mapper->RenderUntilConverged(steps.Window), 4);
+  EXPECT_GE(PSNR(steps.Draw(), converged), 60.0);
+  steps.Mapper->ProgressiveStillsOff();
+  EXPECT_EQ(LargestDifference(steps.Draw(), converged), 0.0);
+}
+
 TEST(Levels, StatisticsAreComplete)
 {
   Scene scene;

@@ -97,6 +97,25 @@ class PropertiesTest(unittest.TestCase):
             getattr(mapper, "Set" + name)(None)
             self.assertIsNone(getattr(mapper, "Get" + name)())
 
+    def test_all_are_copied(self):
+        for name in own_properties():
+            with self.subTest(name):
+                mapper, other = vtkFlatBlockVolumeMapper(), vtkFlatBlockVolumeMapper()
+                if name in OBJECTS:
+                    getattr(mapper, "Set" + name)(OBJECTS[name]())
+                else:
+                    kinds = argument_types(name)
+                    for value in CHOICES.get(name, (TINY[kinds[0]], HUGE[kinds[0]])):
+                        self.set(mapper, name, value, len(kinds))
+                        if getattr(mapper, "Get" + name)() != getattr(other, "Get" + name)():
+                            break
+                other.ShallowCopy(mapper)
+                self.assertEqual(
+                    getattr(other, "Get" + name)(), getattr(mapper, "Get" + name)())
+                copied = other.GetMTime()
+                other.ShallowCopy(mapper)
+                self.assertEqual(other.GetMTime(), copied)
+
     def test_all_are_printed_and_documented(self):
         text = str(vtkFlatBlockVolumeMapper())
         for name in own_properties():

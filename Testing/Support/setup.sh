@@ -8,6 +8,10 @@ build_packages=(
   g++ cmake ninja-build libboost-dev libgtest-dev
   paraview paraview-dev python3-paraview libpython3-dev mpi-default-dev
   libfreetype-dev libgl-dev libglew-dev libopengl-dev libx11-dev zlib1g-dev)
+# The plugin's panel, and what ParaView's Qt libraries link to.
+build_packages+=(
+  qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev libqt5x11extras5-dev
+  libxml2-dev libhdf5-mpi-dev libnetcdf-dev)
 # A display where there is none, OpenGL in software, and a real MRI.
 run_packages=(xvfb xauth libgl1-mesa-dri mricron-data)
 
