@@ -30,7 +30,7 @@ pqFlatBlockStatus::pqFlatBlockStatus(vtkSMProxy* proxy, vtkSMPropertyGroup* grou
     this->connect(box, SIGNAL(changeFinished()), SIGNAL(changeFinished()));
     lines->addWidget(box);
   }
-  this->setView(pqActiveObjects::instance().activeView());
+  this->pqFlatBlockStatus::setView(pqActiveObjects::instance().activeView());
   this->refresh();
 }
 

@@ -230,6 +230,7 @@ int vtkFlatBlockVolumeRepresentation::RequestData(
   this->OutlineSource->SetBounds(this->DataBounds);
   this->OutlineSource->Update();
   this->Cache = pieces;
+  // NOLINTNEXTLINE(bugprone-parent-virtual-call): the one in between takes one image.
   return this->vtkVolumeRepresentation::RequestData(request, inputs, outputs);
 }
 
