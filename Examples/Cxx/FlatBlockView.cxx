@@ -172,15 +172,15 @@ void Run(const Options& options)
   Viewer viewer;
   SetUp(viewer, options);
 
-  bool failed = false;
+  std::string error; // the first one
   vtkNew<vtkCallbackCommand> onError;
   onError->SetCallback(
     [](vtkObject*, unsigned long, void* data, void* text)
     {
-      *static_cast<bool*>(data) = true;
-      std::cerr << "FlatBlockView: " << static_cast<const char*>(text);
+      auto* first = static_cast<std::string*>(data);
+      *first = first->empty() ? static_cast<const char*>(text) : *first;
     });
-  onError->SetClientData(&failed);
+  onError->SetClientData(&error);
   viewer.Mapper->AddObserver(vtkCommand::ErrorEvent, onError);
 
   viewer.Mapper->SetInputData(loaded.Image);
@@ -189,9 +189,9 @@ void Run(const Options& options)
   viewer.Renderer->AddVolume(viewer.Volume);
   LookAtVolume(viewer, loaded.Anatomy != nullptr);
   const double first = SecondsToDraw(viewer);
-  if (failed)
+  if (!error.empty())
   {
-    throw std::runtime_error("'" + options.File + "' could not be drawn.");
+    throw std::runtime_error("'" + options.File + "' could not be drawn: " + StripError(error));
   }
   PrintMapper(viewer);
   PrintRow("seconds to first frame", Format(first, 3, ""));

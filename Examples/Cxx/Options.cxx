@@ -1,5 +1,7 @@
 #include "Options.h"
 
+#include "GuessRaw.h"
+
 #include "Presets.h"
 
 #include "vtkType.h"
@@ -14,10 +16,12 @@ const char* const Usage = R"(Draws a volume with vtkFlatBlockVolumeMapper.
 
 FlatBlockView FILE [options]
 
-FILE is .nii .nii.gz .nrrd .nhdr .mhd .mha .vti .vtk, a folder of DICOM slices, or .raw:
+FILE is .nii .nii.gz .nrrd .nhdr .mhd .mha .vti .vtk .pvm .df3 .tif, a folder of DICOM slices or of PNG or
+TIFF images, or .raw, whose name may say what is in it (foot_256x256x256_uint8.raw), or else:
   --raw NX NY NZ TYPE      samples an axis and type: uint8 int8 uint16 int16 uint32 int32 float double
   --spacing SX SY SZ       of a raw file (1 1 1)
   --big-endian             byte order of a raw file
+  --header BYTES           of a raw file, before its samples (0)
 
   --preset NAME            transfer function: mri, ct-bone, ct-skin, angio, grey
                            (chosen by the data's percentiles)
@@ -77,17 +81,13 @@ private:
 
 int ToScalarType(const std::string& name)
 {
-  static const std::map<std::string, int> types = { { "uint8", VTK_UNSIGNED_CHAR },
-    { "int8", VTK_SIGNED_CHAR }, { "uint16", VTK_UNSIGNED_SHORT }, { "int16", VTK_SHORT },
-    { "uint32", VTK_UNSIGNED_INT }, { "int32", VTK_INT }, { "float", VTK_FLOAT },
-    { "double", VTK_DOUBLE } };
-  const auto found = types.find(name);
-  if (found == types.end())
+  const int type = FindScalarType(name);
+  if (type == 0)
   {
     Refuse(
       "'" + name + "' after --raw is none of uint8 int8 uint16 int16 uint32 int32 float double.");
   }
-  return found->second;
+  return type;
 }
 
 void TakeOption(const std::string& option, Words& words, Options& options)
@@ -112,6 +112,10 @@ void TakeOption(const std::string& option, Words& words, Options& options)
   else if (option == "--big-endian")
   {
     options.Raw.BigEndian = true;
+  }
+  else if (option == "--header")
+  {
+    options.Raw.HeaderBytes = words.TakeNumber(option, 0, 1 << 30);
   }
   else if (option == "--preset")
   {

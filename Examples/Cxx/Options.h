@@ -10,6 +10,7 @@ struct RawFormat
   int ScalarType = 0;
   std::array<double, 3> Spacing = { 1.0, 1.0, 1.0 };
   bool BigEndian = false;
+  int HeaderBytes = 0; ///< before the samples
 };
 
 struct Options

@@ -1,7 +1,10 @@
 #include "ReadVolume.h"
 
+#include "CheckMetaImage.h"
+#include "GuessRaw.h"
 #include "XMLImageReader.h"
 
+#include "vtkDF3Reader.h"
 #include "vtkDICOMImageReader.h"
 #include "vtkDataArray.h"
 #include "vtkImageReader2.h"
@@ -12,13 +15,18 @@
 #include "vtkNrrdReader.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
+#include "vtkPNGReader.h"
+#include "vtkPVMReader.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
 #include "vtkStructuredPointsReader.h"
+#include "vtkTIFFReader.h"
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <stdexcept>
+#include <vector>
 
 namespace
 {
@@ -34,10 +42,7 @@ public:
   {
     if (this->Text.empty())
     {
-      const std::string all = text;
-      const std::size_t colon = all.find("): ");
-      this->Text = colon == std::string::npos ? all : all.substr(colon + 3);
-      this->Text.erase(this->Text.find_last_not_of(" \n") + 1);
+      this->Text = StripError(text);
     }
   }
   void DisplayText(const char*) override {}
@@ -60,16 +65,20 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file)
 
 vtkSmartPointer<vtkAlgorithm> MakeRawReader(const Options& options)
 {
-  const RawFormat& raw = options.Raw;
+  const std::uintmax_t size = fs::file_size(options.File);
+  const std::uintmax_t header = static_cast<std::uintmax_t>(options.Raw.HeaderBytes);
+  const RawFormat raw =
+    options.IsRaw ? options.Raw : GuessRaw(options.File, size > header ? size - header : 0);
   auto reader = vtkSmartPointer<vtkImageReader2>::New();
   reader->SetFileName(options.File.c_str());
   reader->SetFileDimensionality(3);
   reader->SetDataExtent(
     0, raw.Dimensions[0] - 1, 0, raw.Dimensions[1] - 1, 0, raw.Dimensions[2] - 1);
-  reader->SetDataSpacing(raw.Spacing.data());
+  reader->SetDataSpacing(options.Raw.Spacing.data());
+  reader->SetHeaderSize(header);
   reader->SetDataScalarType(raw.ScalarType);
   reader->SetNumberOfScalarComponents(1);
-  if (raw.BigEndian)
+  if (raw.BigEndian || options.Raw.BigEndian)
   {
     reader->SetDataByteOrderToBigEndian();
   }
@@ -79,29 +88,103 @@ vtkSmartPointer<vtkAlgorithm> MakeRawReader(const Options& options)
   }
   const auto wanted = static_cast<std::uintmax_t>(raw.Dimensions[0]) * raw.Dimensions[1] *
                       raw.Dimensions[2] * vtkDataArray::GetDataTypeSize(raw.ScalarType);
-  const std::uintmax_t size = fs::file_size(options.File);
-  if (size != wanted)
+  if (size != wanted + header)
   {
     throw std::runtime_error("'" + options.File + "' has " + std::to_string(size) +
-                             " bytes, but --raw asks for " + std::to_string(wanted) + ".");
+                             " bytes, but --raw asks for " + std::to_string(wanted + header) + ".");
   }
+  return reader;
+}
+
+std::string ToLower(std::string name)
+{
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name;
+}
+
+// Of a folder, by their names.
+std::vector<std::string> FindImages(const std::string& folder)
+{
+  std::vector<std::string> images;
+  for (const auto& entry : fs::directory_iterator(folder))
+  {
+    const std::string name = ToLower(entry.path().string());
+    if (EndsWith(name, ".png") || EndsWith(name, ".tif") || EndsWith(name, ".tiff"))
+    {
+      images.push_back(entry.path().string());
+    }
+  }
+  std::sort(images.begin(), images.end());
+  return images;
+}
+
+// VTK's readers take the first one's size for that of all.
+template <typename Reader>
+void CheckSizes(const std::vector<std::string>& images)
+{
+  int first[6];
+  for (const std::string& image : images)
+  {
+    vtkNew<Reader> reader;
+    reader->SetFileName(image.c_str());
+    reader->UpdateInformation();
+    const int* extent = reader->GetDataExtent();
+    if (image == images.front())
+    {
+      std::copy(extent, extent + 6, first);
+    }
+    if (!std::equal(extent, extent + 6, first))
+    {
+      throw std::runtime_error("'" + image + "' is not as large as '" + images.front() + "'.");
+    }
+  }
+}
+
+template <typename Reader>
+vtkSmartPointer<vtkAlgorithm> MakeStackReader(const std::vector<std::string>& images)
+{
+  if (images.size() == 1)
+  {
+    return MakeReader<Reader>(images.front()); // which may have many pages
+  }
+  CheckSizes<Reader>(images);
+  vtkNew<vtkStringArray> names;
+  for (const std::string& image : images)
+  {
+    names->InsertNextValue(image);
+  }
+  auto reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileNames(names);
   return reader;
 }
 
 vtkSmartPointer<vtkAlgorithm> MakeReaderFor(const Options& options)
 {
-  std::string name = options.File;
-  std::transform(name.begin(), name.end(), name.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string name = ToLower(options.File);
   if (fs::is_directory(options.File))
   {
+    const std::vector<std::string> images = FindImages(options.File);
+    if (!images.empty())
+    {
+      return EndsWith(ToLower(images.front()), ".png") ? MakeStackReader<vtkPNGReader>(images)
+                                                       : MakeStackReader<vtkTIFFReader>(images);
+    }
     auto reader = vtkSmartPointer<vtkDICOMImageReader>::New();
     reader->SetDirectoryName(options.File.c_str());
     return reader;
   }
-  if (options.IsRaw)
+  if (options.IsRaw || EndsWith(name, ".raw"))
   {
     return MakeRawReader(options);
+  }
+  if (EndsWith(name, ".pvm"))
+  {
+    return MakeReader<vtkPVMReader>(options.File);
+  }
+  if (EndsWith(name, ".df3"))
+  {
+    return MakeReader<vtkDF3Reader>(options.File);
   }
   if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
   {
@@ -111,8 +194,13 @@ vtkSmartPointer<vtkAlgorithm> MakeReaderFor(const Options& options)
   {
     return MakeReader<vtkNrrdReader>(options.File);
   }
+  if (EndsWith(name, ".tif") || EndsWith(name, ".tiff"))
+  {
+    return MakeReader<vtkTIFFReader>(options.File);
+  }
   if (EndsWith(name, ".mhd") || EndsWith(name, ".mha"))
   {
+    CheckMetaImage(options.File);
     return MakeReader<vtkMetaImageReader>(options.File);
   }
   if (EndsWith(name, ".vti"))
@@ -123,14 +211,9 @@ vtkSmartPointer<vtkAlgorithm> MakeReaderFor(const Options& options)
   {
     return MakeReader<vtkStructuredPointsReader>(options.File);
   }
-  if (EndsWith(name, ".raw"))
-  {
-    throw std::runtime_error(
-      "'" + options.File + "' has no header: say --raw NX NY NZ TYPE what is in it.");
-  }
-  throw std::runtime_error(
-    "'" + options.File +
-    "' ends in none of .nii .nii.gz .nrrd .nhdr .mhd .mha .vti .vtk .raw, and is no folder.");
+  throw std::runtime_error("'" + options.File +
+                           "' ends in none of .nii .nii.gz .nrrd .nhdr .mhd .mha .vti .vtk .pvm "
+                           ".df3 .raw, and is no folder.");
 }
 
 // DICOM's axes point to the left, the back and up; vtkDICOMImageReader turns the order of rows and
@@ -169,6 +252,14 @@ vtkSmartPointer<vtkMatrix4x4> GetAnatomy(vtkAlgorithm* reader)
   return matrix && matrix->Determinant() != 0.0 ? matrix : nullptr;
 }
 } // namespace
+
+std::string StripError(const std::string& text)
+{
+  const std::size_t colon = text.find("): ");
+  std::string stripped = colon == std::string::npos ? text : text.substr(colon + 3);
+  stripped.erase(stripped.find_last_not_of(" \n") + 1);
+  return stripped;
+}
 
 LoadedVolume ReadVolume(const Options& options)
 {

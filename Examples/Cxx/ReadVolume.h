@@ -15,5 +15,8 @@ struct LoadedVolume
   vtkSmartPointer<vtkMatrix4x4> Anatomy;
 };
 
+/// What an error of VTK's says, without where in its code.
+std::string StripError(const std::string& text);
+
 /// @throws std::runtime_error that names the file and what is wrong with it
 LoadedVolume ReadVolume(const Options& options);

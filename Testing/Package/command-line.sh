@@ -33,7 +33,25 @@ refused "ends in none of" picture.jpeg
 refused "could not be read" broken.nii
 refused "could not be read" broken.nrrd
 refused "could not be read" empty
-refused "has no header" ten.raw
+refused "has no header, and its name has no numbers" ten.raw
+head -c 1000 /dev/zero >ten_10x10x10_uint16.raw
+refused "is not what 1000 bytes hold" ten_10x10x10_uint16.raw
+head -c 2000 /dev/zero >ten_10x10x10.raw
+refused "has no type of so many samples in 2000 bytes" ten_10x10x10.raw
+refused "1000 bytes, but --raw asks for 1010" ten.raw --raw 10 10 10 uint8 --header 10
+printf 'PVM\n2 2 2\n1\n1234567' >short.pvm
+refused "short.pvm': at byte 19: the file ends, but 20 bytes are expected" short.pvm
+printf '\0\2\0\2' >short.df3
+refused "short.df3': at byte 4: the file ends within the header" short.df3
+mkdir one
+printf 'no image' >one/a.png
+refused "could not be read" one
+printf 'NDims = 4\nElementDataFile = LOCAL\n' >four.mha
+refused "NDims is '4', but 3 is expected" four.mha
+printf 'NDims = 3\nDimSize = 9 9 9\nElementType = MET_SHORT\nElementDataFile = /no/where\n' >no.mhd
+refused "its ElementDataFile '/no/where' cannot be read" no.mhd
+printf 'NDims = 3\nDimSize = 999999999 999999999 9\nElementType = MET_SHORT\nElementDataFile = LOCAL\n' >big.mha
+refused "more than 0 bytes of file hold" big.mha
 refused "1000 bytes, but --raw asks for 2000" ten.raw --raw 10 10 10 int16
 refused "is none of uint8" ten.raw --raw 10 10 10 complex
 refused "is not a number" ten.raw --raw 10 ten 10 uint8
@@ -61,6 +79,16 @@ for preset in mri ct-bone ct-skin angio grey; do
   accepted ten.raw --raw 10 10 10 uint8 --preset "$preset"
 done
 accepted ten.raw --raw 10 10 5 int16 --spacing 1 2 0.5 --big-endian --block-size 17
+head -c 4096 /dev/urandom >cube.raw
+accepted cube.raw
+head -c 4096 /dev/urandom >foot_16x16x8_uint16_be.raw
+accepted foot_16x16x8_uint16_be.raw
+head -c 1010 /dev/urandom >header.raw
+accepted header.raw --raw 10 10 10 uint8 --header 10
+{ printf 'PVM\n8 8 8\n1\n'; head -c 512 /dev/urandom; } >eight.pvm
+accepted eight.pvm
+{ printf '\0\10\0\10\0\10'; head -c 1024 /dev/urandom; } >eight.df3
+accepted eight.df3
 mkdir 'a folder with spaces'
 cp ten.raw 'a folder with spaces/zähne.raw'
 accepted 'a folder with spaces/zähne.raw' --raw 10 10 10 uint8

@@ -6,8 +6,10 @@ import sys
 import tempfile
 import unittest
 
-from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
-from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter
+from vtkmodules.vtkImagingCore import vtkImageCast, vtkRTAnalyticSource
+from vtkmodules.vtkImagingSources import vtkImageNoiseSource
+from vtkmodules.vtkIOImage import (
+    vtkMetaImageWriter, vtkNIFTIImageWriter, vtkPNGWriter, vtkTIFFWriter)
 from vtkmodules.vtkIOLegacy import vtkStructuredPointsWriter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -69,6 +71,50 @@ class FormatsTest(unittest.TestCase):
     def test_nifti(self):
         self.draw(self.write(vtkNIFTIImageWriter(), "volume.nii"))
         self.draw(self.write(vtkNIFTIImageWriter(), "volume.nii.gz"))
+
+    def test_stacks_of_images(self):
+        for writer, ending in ((vtkPNGWriter(), "png"), (vtkTIFFWriter(), "tif")):
+            cast = vtkImageCast()
+            cast.SetOutputScalarTypeToUnsignedChar()
+            cast.SetInputData(self.volume)
+            os.mkdir(self.path(ending))
+            writer.SetInputConnection(cast.GetOutputPort())
+            writer.SetFilePrefix(os.path.join(self.path(ending), "slice"))
+            writer.SetFilePattern("%s_%03d." + ending)
+            writer.Write()
+            self.draw(self.path(ending), "20 x 24 x 28", "unsigned char")
+
+    def test_images_of_other_sizes_are_refused(self):
+        os.mkdir(self.path("slices"))
+        for i, size in enumerate((8, 9)):
+            source = vtkImageNoiseSource()
+            source.SetWholeExtent(0, size, 0, 8, 0, 0)
+            cast = vtkImageCast()
+            cast.SetOutputScalarTypeToUnsignedChar()
+            cast.SetInputConnection(source.GetOutputPort())
+            writer = vtkPNGWriter()
+            writer.SetInputConnection(cast.GetOutputPort())
+            writer.SetFileName(os.path.join(self.path("slices"), "%d.png" % i))
+            writer.Write()
+        done = subprocess.run([VIEW, self.path("slices")], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("1.png' is not as large as", done.stderr)
+
+    def test_broken_files_of_others(self):
+        """A picture or one line, in time, whatever VTK's readers do with them."""
+        folders = [os.path.join(DATA, "bad_files", name) for name in
+            ("dicom", "metaimage_nrrd", "nifti_etc")] + [os.path.join(DATA, "pynrrd")]
+        if not all(os.path.isdir(folder) for folder in folders):
+            self.skipTest("the broken files are not here")
+        for folder in folders:
+            for name in sorted(os.listdir(folder)):
+                with self.subTest(name):
+                    command = [VIEW, os.path.join(folder, name), "--output",
+                        self.path("picture.png"), "--size", "32", "32"]
+                    done = subprocess.run(command, capture_output=True, timeout=10)
+                    told = done.stderr.count(b"FlatBlockView: ")
+                    self.assertEqual((done.returncode, told), (told, done.returncode))
+                    self.assertIn(done.returncode, (0, 1))
 
     def write_raw(self, dtype, name="volume.raw"):
         values = vtk_to_numpy(self.volume.GetPointData().GetScalars())

@@ -1,0 +1,26 @@
+/// Differential data streams, which PVM files may be compressed to.
+#pragma once
+
+#include "VolumeFormat.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace flatblock
+{
+/// Differential data streams as S. Roettger's V^3 writes them: "DDS v3d" or "DDS v3e" and a line
+/// feed, then bits from the highest of each byte on: 2 of skip - 1, 16 of strip - 1, and runs of 7
+/// bits that count bytes and 3 bits that say how many bits each of them has: 0, or one more than
+/// these. A byte differs by that number, less half of its range, from the one before, whose own
+/// change since the byte a strip before it is taken over; no byte does in the first strip. A run of
+/// none ends it. Bytes are sorted by their place among `skip`, in v3e in parts of 2^24 times skip.
+bool IsDDS(const std::uint8_t* bytes, std::size_t count);
+
+/// @param most  bytes that are decoded, but for those that are sorted, which must be all
+/// @throws FormatError  where the stream ends early
+std::vector<std::uint8_t> DecodeDDS(const std::uint8_t* bytes, std::size_t count, std::size_t most);
+
+/// @param skip   1 to 4: the bytes of a sample
+/// @param strip  1 to 65536: bytes of a row
+std::vector<std::uint8_t> EncodeDDS(const std::vector<std::uint8_t>& bytes, int skip, int strip);
+} // namespace flatblock
