@@ -1,5 +1,9 @@
 #!/usr/bin/env bash
-# Builds everything and runs every test, on a virtual display where there is none.
+# Builds everything and runs every test, on a virtual display where there is none:
+# Testing/run.sh [--coverage | --fuzz [SECONDS] | --sanitize]
+#   --coverage   lines of Kernels and Module/Core that the unit tests run, and no more
+#   --fuzz       each of libFuzzer's targets for so many seconds (60), and no more
+#   --sanitize   the unit tests under the address and undefined-behaviour sanitizers, and no more
 # Installs what is missing first.
 source "$(dirname "${BASH_SOURCE[0]}")/Support/setup.sh"
 
@@ -41,7 +45,44 @@ run_tests() { # PRESET
   (cd "$project" && Testing/Support/with-display.sh ctest --preset "$1" -j "$(nproc)") || failures=1
 }
 
+# Those that crash leave their input in build/fuzz.
+run_fuzzers() { # SECONDS
+  local folder="$project/build/fuzz" name
+  install_packages clang libclang-rt-14-dev cmake ninja-build
+  logged fuzz cmake -G Ninja -S "$project/Testing/Fuzz" -B "$folder" -DCMAKE_CXX_COMPILER=clang++
+  logged fuzz cmake --build "$folder"
+  for name in PVM DF3 Atlas Table; do
+    mkdir -p "$folder/corpus/$name"
+    echo "Fuzzing $name for $1 s ..."
+    (cd "$folder" && "./Fuzz$name" "corpus/$name" -max_total_time="$1" -max_len=2048 \
+      -print_final_stats=1 2>"$name.log") || { tail -40 "$folder/$name.log"; failures=1; }
+    grep executed_units "$folder/$name.log" || true
+  done
+}
+
+# The unit tests alone, in a build of their own.
+build_units() { # PRESET
+  install_packages "${build_packages[@]}" "${vtk91_needs[@]}"
+  unpack_vtk91
+  logged configure env -C "$project" cmake --preset "$1"
+  logged build cmake --build "$project/build/$1" --target FlatBlockUnitTests
+}
+
+print_coverage() {
+  install_packages gcovr
+  build_units coverage
+  find "$project/build/coverage" -name '*.gcda' -delete
+  logged coverage "$project/build/coverage/Testing/FlatBlockUnitTests" --gtest_brief=1
+  gcovr --root "$project" --filter 'Kernels/' --filter 'Module/Core/' --filter 'Module/IO/.*(Format|Codec)' \
+    --exclude-throw-branches "$project/build/coverage"
+}
+
 failures=0
+case "${1:-}" in
+--coverage) print_coverage; exit ;;
+--fuzz) run_fuzzers "${2:-60}"; exit "$failures" ;;
+--sanitize) build_units asan; exec "$project/build/asan/Testing/FlatBlockUnitTests" --gtest_brief=1 ;;
+esac
 install_packages "${build_packages[@]}" "${run_packages[@]}" "${vtk91_needs[@]}"
 check_format
 build release -DFLATBLOCK_WARNINGS_AS_ERRORS=ON
