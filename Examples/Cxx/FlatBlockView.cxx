@@ -2,12 +2,16 @@
 #include "Options.h"
 #include "Presets.h"
 #include "ReadVolume.h"
+#include "ReaderGuard.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkFlatBlockVolumeMapper.h"
 #include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkLogger.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
 #include "vtkPNGWriter.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -18,6 +22,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iomanip>
@@ -28,6 +34,22 @@
 namespace
 {
 constexpr double MiB = 1024.0 * 1024.0;
+
+// What VTK says, each on a line.
+class Messages : public vtkOutputWindow
+{
+public:
+  static Messages* New();
+  vtkTypeMacro(Messages, vtkOutputWindow);
+  void DisplayErrorText(const char* text) override { this->DisplayText(text); }
+  void DisplayWarningText(const char* text) override { this->DisplayText(text); }
+  void DisplayGenericWarningText(const char* text) override { this->DisplayText(text); }
+  void DisplayText(const char* text) override
+  {
+    std::cerr << "FlatBlockView: " << StripError(text) << std::endl;
+  }
+};
+vtkStandardNewMacro(Messages);
 
 struct Viewer
 {
@@ -203,18 +225,12 @@ void Run(const Options& options)
     Interact(viewer);
   }
 }
-} // namespace
-
-int main(int argc, char* argv[])
+int Draw(const Options& options)
 {
   try
   {
-    const Options options = ParseOptions(argc, argv);
-    if (options.Help)
-    {
-      std::cout << Usage;
-      return 0;
-    }
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // says it once more
+    vtkOutputWindow::SetInstance(vtkNew<Messages>());
     Run(options);
   }
   catch (const std::exception& problem)
@@ -223,4 +239,39 @@ int main(int argc, char* argv[])
     return 1;
   }
   return 0;
+}
+
+int SayHowItDied(const Options& options, int signal, bool wasReading)
+{
+  if (signal == SIGINT || signal == SIGTERM || signal == SIGHUP)
+  {
+    return 1; // as a person wished
+  }
+  std::cerr << "FlatBlockView: '" << options.File << "' could not be "
+            << (wasReading ? "read: VTK's reader " : "drawn: the program ")
+            << (signal == SIGPROF ? "came to no end" : "crashed") << " (" << strsignal(signal)
+            << ").\n";
+  return 1;
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  try
+  {
+    options = ParseOptions(argc, argv);
+  }
+  catch (const std::exception& problem)
+  {
+    std::cerr << "FlatBlockView: " << problem.what() << "\n";
+    return 1;
+  }
+  if (options.Help)
+  {
+    std::cout << Usage;
+    return 0;
+  }
+  return RunInChild([&options] { return Draw(options); },
+    [&options](int signal, bool wasReading) { return SayHowItDied(options, signal, wasReading); });
 }

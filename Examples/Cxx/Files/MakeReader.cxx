@@ -1,6 +1,8 @@
-#include "ReadVolume.h"
+#include "MakeReader.h"
 
 #include "CheckMetaImage.h"
+#include "CheckNIfTI.h"
+#include "CheckNrrd.h"
 #include "GuessRaw.h"
 #include "XMLImageReader.h"
 
@@ -8,16 +10,12 @@
 #include "vtkDICOMImageReader.h"
 #include "vtkDataArray.h"
 #include "vtkImageReader2.h"
-#include "vtkMath.h"
 #include "vtkMetaImageReader.h"
 #include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
 #include "vtkNrrdReader.h"
-#include "vtkObjectFactory.h"
-#include "vtkOutputWindow.h"
 #include "vtkPNGReader.h"
 #include "vtkPVMReader.h"
-#include "vtkPointData.h"
 #include "vtkStringArray.h"
 #include "vtkStructuredPointsReader.h"
 #include "vtkTIFFReader.h"
@@ -25,6 +23,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <vector>
 
@@ -32,31 +32,13 @@ namespace
 {
 namespace fs = std::filesystem;
 
-// Readers say what is wrong in pieces, some of them of no use to a person: keep the first.
-class FirstError : public vtkOutputWindow
-{
-public:
-  static FirstError* New();
-  vtkTypeMacro(FirstError, vtkOutputWindow);
-  void DisplayErrorText(const char* text) override
-  {
-    if (this->Text.empty())
-    {
-      this->Text = StripError(text);
-    }
-  }
-  void DisplayText(const char*) override {}
-  std::string Text;
-};
-vtkStandardNewMacro(FirstError);
-
 bool EndsWith(const std::string& text, const std::string& end)
 {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 template <typename Reader>
-vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file)
+vtkSmartPointer<vtkAlgorithm> MakeFileReader(const std::string& file)
 {
   auto reader = vtkSmartPointer<Reader>::New();
   reader->SetFileName(file.c_str());
@@ -94,6 +76,41 @@ vtkSmartPointer<vtkAlgorithm> MakeRawReader(const Options& options)
                              " bytes, but --raw asks for " + std::to_string(wanted + header) + ".");
   }
   return reader;
+}
+
+void CheckReadable(const std::string& file)
+{
+  std::error_code problem;
+  if (!fs::exists(file, problem))
+  {
+    throw std::runtime_error("'" + file + "' does not exist.");
+  }
+  if (!fs::is_directory(file, problem) &&
+      (!fs::is_regular_file(file, problem) || !std::ifstream(file, std::ios::binary)))
+  {
+    throw std::runtime_error("'" + file + "' is no file that can be read.");
+  }
+}
+
+// That it is one, and whole: its last tag is the root's.
+void CheckXMLFile(const std::string& file)
+{
+  constexpr std::streamoff Tail = 4096;
+  vtkNew<XMLImageReader> reader;
+  if (!reader->CanReadFile(file.c_str()))
+  {
+    throw std::runtime_error(
+      "'" + file + "' could not be read: it is no XML file of VTK's images.");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  const auto size = static_cast<std::streamoff>(fs::file_size(file));
+  stream.seekg(std::max<std::streamoff>(0, size - Tail));
+  const std::string tail{ std::istreambuf_iterator<char>(stream),
+    std::istreambuf_iterator<char>() };
+  if (tail.find("</VTKFile>") == std::string::npos)
+  {
+    throw std::runtime_error("'" + file + "' could not be read: it ends before </VTKFile>.");
+  }
 }
 
 std::string ToLower(std::string name)
@@ -146,7 +163,7 @@ vtkSmartPointer<vtkAlgorithm> MakeStackReader(const std::vector<std::string>& im
 {
   if (images.size() == 1)
   {
-    return MakeReader<Reader>(images.front()); // which may have many pages
+    return MakeFileReader<Reader>(images.front()); // which may have many pages
   }
   CheckSizes<Reader>(images);
   vtkNew<vtkStringArray> names;
@@ -159,8 +176,11 @@ vtkSmartPointer<vtkAlgorithm> MakeStackReader(const std::vector<std::string>& im
   return reader;
 }
 
-vtkSmartPointer<vtkAlgorithm> MakeReaderFor(const Options& options)
+} // namespace
+
+vtkSmartPointer<vtkAlgorithm> MakeReader(const Options& options)
 {
+  CheckReadable(options.File);
   const std::string name = ToLower(options.File);
   if (fs::is_directory(options.File))
   {
@@ -180,110 +200,41 @@ vtkSmartPointer<vtkAlgorithm> MakeReaderFor(const Options& options)
   }
   if (EndsWith(name, ".pvm"))
   {
-    return MakeReader<vtkPVMReader>(options.File);
+    return MakeFileReader<vtkPVMReader>(options.File);
   }
   if (EndsWith(name, ".df3"))
   {
-    return MakeReader<vtkDF3Reader>(options.File);
+    return MakeFileReader<vtkDF3Reader>(options.File);
   }
   if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
   {
-    return MakeReader<vtkNIFTIImageReader>(options.File);
+    CheckNIfTI(options.File);
+    return MakeFileReader<vtkNIFTIImageReader>(options.File);
   }
   if (EndsWith(name, ".nrrd") || EndsWith(name, ".nhdr"))
   {
-    return MakeReader<vtkNrrdReader>(options.File);
+    CheckNrrd(options.File);
+    return MakeFileReader<vtkNrrdReader>(options.File);
   }
   if (EndsWith(name, ".tif") || EndsWith(name, ".tiff"))
   {
-    return MakeReader<vtkTIFFReader>(options.File);
+    return MakeFileReader<vtkTIFFReader>(options.File);
   }
   if (EndsWith(name, ".mhd") || EndsWith(name, ".mha"))
   {
     CheckMetaImage(options.File);
-    return MakeReader<vtkMetaImageReader>(options.File);
+    return MakeFileReader<vtkMetaImageReader>(options.File);
   }
   if (EndsWith(name, ".vti"))
   {
-    return MakeReader<XMLImageReader>(options.File);
+    CheckXMLFile(options.File);
+    return MakeFileReader<XMLImageReader>(options.File);
   }
   if (EndsWith(name, ".vtk"))
   {
-    return MakeReader<vtkStructuredPointsReader>(options.File);
+    return MakeFileReader<vtkStructuredPointsReader>(options.File);
   }
   throw std::runtime_error("'" + options.File +
                            "' ends in none of .nii .nii.gz .nrrd .nhdr .mhd .mha .vti .vtk .pvm "
-                           ".df3 .raw, and is no folder.");
-}
-
-// DICOM's axes point to the left, the back and up; vtkDICOMImageReader turns the order of rows and
-// of slices over.
-vtkSmartPointer<vtkMatrix4x4> GetDICOMAnatomy(vtkDICOMImageReader* reader)
-{
-  const float* cosines = reader->GetImageOrientationPatient();
-  double row[3];
-  double column[3];
-  std::copy(cosines, cosines + 3, row);
-  std::copy(cosines + 3, cosines + 6, column);
-  double normal[3];
-  vtkMath::Cross(row, column, normal);
-  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-  for (int i = 0; i < 3; ++i)
-  {
-    const double sign = i < 2 ? -1.0 : 1.0;
-    matrix->SetElement(i, 0, sign * row[i]);
-    matrix->SetElement(i, 1, -sign * column[i]);
-    matrix->SetElement(i, 2, -sign * normal[i]);
-  }
-  return matrix;
-}
-
-vtkSmartPointer<vtkMatrix4x4> GetAnatomy(vtkAlgorithm* reader)
-{
-  vtkSmartPointer<vtkMatrix4x4> matrix;
-  if (auto* nifti = vtkNIFTIImageReader::SafeDownCast(reader))
-  {
-    matrix = nifti->GetSFormMatrix() ? nifti->GetSFormMatrix() : nifti->GetQFormMatrix();
-  }
-  else if (auto* dicom = vtkDICOMImageReader::SafeDownCast(reader))
-  {
-    matrix = GetDICOMAnatomy(dicom);
-  }
-  return matrix && matrix->Determinant() != 0.0 ? matrix : nullptr;
-}
-} // namespace
-
-std::string StripError(const std::string& text)
-{
-  const std::size_t colon = text.find("): ");
-  std::string stripped = colon == std::string::npos ? text : text.substr(colon + 3);
-  stripped.erase(stripped.find_last_not_of(" \n") + 1);
-  return stripped;
-}
-
-LoadedVolume ReadVolume(const Options& options)
-{
-  if (!fs::exists(options.File))
-  {
-    throw std::runtime_error("'" + options.File + "' does not exist.");
-  }
-  const vtkSmartPointer<vtkAlgorithm> reader = MakeReaderFor(options);
-  vtkSmartPointer<vtkOutputWindow> window = vtkOutputWindow::GetInstance();
-  vtkNew<FirstError> errors;
-  vtkOutputWindow::SetInstance(errors);
-  reader->Update();
-  vtkOutputWindow::SetInstance(window);
-
-  LoadedVolume volume;
-  volume.Image = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
-  if (!errors->Text.empty())
-  {
-    throw std::runtime_error("'" + options.File + "' could not be read: " + errors->Text);
-  }
-  if (!volume.Image || !volume.Image->GetPointData()->GetScalars())
-  {
-    throw std::runtime_error("'" + options.File + "' holds no volume.");
-  }
-  volume.Anatomy = GetAnatomy(reader);
-  return volume;
+                           ".df3 .tif .raw, and is no folder.");
 }
