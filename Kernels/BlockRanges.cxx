@@ -1,5 +1,6 @@
 #include "BlockRanges.h"
 
+#include "Interruption.h"
 #include "RangeColumns.h"
 #include "SampleTypes.h"
 
@@ -33,13 +34,20 @@ void ComputeBlockRanges(const T* samples, const std::array<int, 3>& dims, int ce
   const std::array<int, 3>& blocks, ValueRange* ranges)
 {
   const std::int64_t rows = static_cast<std::int64_t>(blocks[1]) * blocks[2];
+  ParallelLoop loop;
 #pragma omp parallel for schedule(dynamic)
   for (std::int64_t row = 0; row < rows; ++row)
   {
-    const int blockY = static_cast<int>(row % blocks[1]);
-    const int blockZ = static_cast<int>(row / blocks[1]);
-    ComputeRowOfBlocks(samples, dims, cells, blocks[0], blockY, blockZ, ranges + row * blocks[0]);
+    loop.Do(
+      [&]
+      {
+        const int blockY = static_cast<int>(row % blocks[1]);
+        const int blockZ = static_cast<int>(row / blocks[1]);
+        ComputeRowOfBlocks(
+          samples, dims, cells, blocks[0], blockY, blockZ, ranges + row * blocks[0]);
+      });
   }
+  loop.Finish();
 }
 
 #define FLATBLOCK_INSTANTIATE(T)                                                                   \

@@ -1,5 +1,6 @@
 #include "CellRanges.h"
 
+#include "Interruption.h"
 #include "RangeColumns.h"
 #include "SampleTypes.h"
 
@@ -33,23 +34,29 @@ void ComputeCellRanges(const T* samples, const std::array<int, 3>& dims, int cel
   const std::array<int, 3>& count, const CellScale& scale, CellRange* ranges)
 {
   const std::int64_t rows = static_cast<std::int64_t>(count[1]) * count[2];
+  ParallelLoop loop;
 #pragma omp parallel for schedule(dynamic, 16)
   for (std::int64_t row = 0; row < rows; ++row)
   {
-    const int y = static_cast<int>(row % count[1]) * cells;
-    const int z = static_cast<int>(row / count[1]) * cells;
-    Columns<T> columns(dims[0]);
-    columns.Add(samples, dims,
-      { std::max(y - around, 0), std::min(y + cells + around, dims[1] - 1) },
-      { std::max(z - around, 0), std::min(z + cells + around, dims[2] - 1) });
-    for (int i = 0; i < count[0]; ++i)
-    {
-      const int x = i * cells;
-      ranges[row * count[0] + i] = Quantize(
-        columns.GetRange(std::max(x - around, 0), std::min(x + cells + around, dims[0] - 1)),
-        scale);
-    }
+    loop.Do(
+      [&]
+      {
+        const int y = static_cast<int>(row % count[1]) * cells;
+        const int z = static_cast<int>(row / count[1]) * cells;
+        Columns<T> columns(dims[0]);
+        columns.Add(samples, dims,
+          { std::max(y - around, 0), std::min(y + cells + around, dims[1] - 1) },
+          { std::max(z - around, 0), std::min(z + cells + around, dims[2] - 1) });
+        for (int i = 0; i < count[0]; ++i)
+        {
+          const int x = i * cells;
+          ranges[row * count[0] + i] = Quantize(
+            columns.GetRange(std::max(x - around, 0), std::min(x + cells + around, dims[0] - 1)),
+            scale);
+        }
+      });
   }
+  loop.Finish();
 }
 
 #define FLATBLOCK_INSTANTIATE(T)                                                                   \

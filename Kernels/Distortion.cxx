@@ -1,5 +1,6 @@
 #include "Distortion.h"
 
+#include "Interruption.h"
 #include "LevelInterpolator.h"
 #include "SampleTypes.h"
 
@@ -325,19 +326,26 @@ std::int64_t ComputeDistortion(const T* samples, const BlockedVolume& volume,
 {
   const auto count = static_cast<std::int64_t>(blocks.size());
   std::int64_t left = 0;
+  ParallelLoop loop;
 #ifdef _OPENMP
   const int team = threads > 0 ? threads : omp_get_max_threads();
 #pragma omp parallel num_threads(team) reduction(+ : left)
 #endif
   {
-    BlockDistortion<T> kernel(samples, volume, levels, table);
+    std::unique_ptr<BlockDistortion<T>> kernel; // of this thread
+    loop.Do([&] { kernel = std::make_unique<BlockDistortion<T>>(samples, volume, levels, table); });
 #pragma omp for schedule(dynamic, 16)
     for (std::int64_t i = 0; i < count; ++i)
     {
-      left +=
-        kernel.Compute(blocks[i], distortion + i * levels, summaries ? summaries + i : nullptr);
+      loop.Do(
+        [&]
+        {
+          left += kernel->Compute(
+            blocks[i], distortion + i * levels, summaries ? summaries + i : nullptr);
+        });
     }
   }
+  loop.Finish();
   return left;
 }
 

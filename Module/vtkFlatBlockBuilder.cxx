@@ -2,6 +2,7 @@
 
 #include "Coarsening.h"
 #include "FlatBlockImageBricks.h"
+#include "Interruption.h"
 #include "QuantizedBricks.h"
 
 #include "vtkDataArray.h"
@@ -28,11 +29,19 @@ vtkTypeInt64 CountNonFinite([[maybe_unused]] const T* samples, [[maybe_unused]] 
     if (std::any_of(ranges.begin(), ranges.end(),
           [](const flatblock::ValueRange& range) { return range.HasHoles; }))
     {
+      constexpr vtkIdType PerTurn = 1 << 20;
+      flatblock::ParallelLoop loop;
 #pragma omp parallel for reduction(+ : found)
-      for (vtkIdType i = 0; i < count; ++i)
+      for (vtkIdType first = 0; first < count; first += PerTurn)
       {
-        found += std::isfinite(samples[i]) ? 0 : 1;
+        loop.Do(
+          [&]
+          {
+            found += std::count_if(samples + first, samples + std::min(first + PerTurn, count),
+              [](T sample) { return !std::isfinite(sample); });
+          });
       }
+      loop.Finish();
     }
   }
   return found;
@@ -197,23 +206,25 @@ const std::vector<flatblock::CellRange>& vtkFlatBlockBuilder::GetCellRanges(int 
     const bool areIntegers = this->Scalars->GetDataType() != VTK_FLOAT &&
                              this->Scalars->GetDataType() != VTK_DOUBLE && span <= Steps;
     this->CellScale = { this->Range.Lowest, areIntegers || span <= 0.0 ? 1.0 : span / Steps };
-    this->CellsPerRange = cells;
+    this->CellsPerRange = 0; // until all is done
     const flatblock::Index3 count =
       flatblock::BlockGrid(this->Grid.GetSamples(), cells + 1).GetBlocks();
     switch (this->Scalars->GetDataType())
     {
-      vtkTemplateMacro(
-        this->BuildCellRanges(static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0)), count));
+      vtkTemplateMacro(this->BuildCellRanges(
+        static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0)), cells, count));
     }
+    this->CellsPerRange = cells;
   }
   return this->CellRanges;
 }
 
 template <typename T>
-void vtkFlatBlockBuilder::BuildCellRanges(const T* samples, const flatblock::Index3& count)
+void vtkFlatBlockBuilder::BuildCellRanges(
+  const T* samples, int cells, const flatblock::Index3& count)
 {
   this->CellRanges.resize(static_cast<std::size_t>(count[0]) * count[1] * count[2]);
-  flatblock::ComputeCellRanges(samples, this->Grid.GetSamples(), this->CellsPerRange,
+  flatblock::ComputeCellRanges(samples, this->Grid.GetSamples(), cells,
     this->BuiltBricks.MayBeSpline ? 1 : 0, count, this->CellScale, this->CellRanges.data());
 }
 

@@ -136,7 +136,7 @@ private:
   void Quantize();
 
   template <typename T>
-  void BuildCellRanges(const T* samples, const flatblock::Index3& count);
+  void BuildCellRanges(const T* samples, int cells, const flatblock::Index3& count);
 
   vtkSmartPointer<vtkDataArray> Scalars;
   flatblock::BlockGrid Grid;

@@ -1,12 +1,11 @@
 #include "vtkFlatBlockScalars.h"
 
 #include "FlatBlockVolumeInput.h"
+#include "Interruption.h"
 
 #include "vtkBitArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -14,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <new>
 #include <vector>
 
 vtkStandardNewMacro(vtkFlatBlockScalars);
@@ -26,34 +27,64 @@ namespace
 {
 using Array = vtkSmartPointer<vtkDataArray>;
 
+// Of one component. VTK's own way ends the process where memory is short, in builds with asserts.
+Array Allocate(int type, vtkIdType values)
+{
+  Array array = Array::Take(vtkDataArray::CreateDataArray(type));
+  void* memory = std::malloc(static_cast<std::size_t>(values) * array->GetDataTypeSize());
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  array->SetVoidArray(memory, values, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  return array;
+}
+
+// Now and then, in loops over samples.
+void CheckInterruptionAt(vtkIdType sample)
+{
+  constexpr vtkIdType Often = 1 << 14;
+  if (sample % Often == 0)
+  {
+    flatblock::CheckInterruption();
+  }
+}
+
 // Bits are packed eight to a byte, which neither kernels nor textures can read.
 Array UnpackBits(const Array& values)
 {
-  if (!vtkBitArray::SafeDownCast(values))
+  auto* bits = vtkBitArray::SafeDownCast(values);
+  if (!bits)
   {
     return values;
   }
-  auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  bytes->DeepCopy(values);
+  const vtkIdType count = bits->GetNumberOfValues();
+  Array bytes = Allocate(VTK_UNSIGNED_CHAR, count);
+  auto* to = static_cast<unsigned char*>(bytes->GetVoidPointer(0));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    CheckInterruptionAt(i);
+    to[i] = static_cast<unsigned char>(bits->GetValue(i));
+  }
+  bytes->SetNumberOfComponents(bits->GetNumberOfComponents());
   return bytes;
 }
 
 // Integers of up to 24 bits are exact in the smaller one.
-Array MakeReals(int type)
+Array AllocateReals(int type, vtkIdType values)
 {
   const bool isSmall = type == VTK_CHAR || type == VTK_SIGNED_CHAR || type == VTK_UNSIGNED_CHAR ||
                        type == VTK_SHORT || type == VTK_UNSIGNED_SHORT || type == VTK_FLOAT;
-  return isSmall ? Array(vtkSmartPointer<vtkFloatArray>::New())
-                 : Array(vtkSmartPointer<vtkDoubleArray>::New());
+  return Allocate(isSmall ? VTK_FLOAT : VTK_DOUBLE, values);
 }
 
 Array TakeMagnitude(const Array& vectors)
 {
-  Array norms = MakeReals(vectors->GetDataType());
-  norms->SetNumberOfTuples(vectors->GetNumberOfTuples());
+  Array norms = AllocateReals(vectors->GetDataType(), vectors->GetNumberOfTuples());
   std::vector<double> vector(vectors->GetNumberOfComponents());
   for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
   {
+    CheckInterruptionAt(i);
     vectors->GetTuple(i, vector.data());
     double sum = 0.0;
     for (const double value : vector)
@@ -63,6 +94,26 @@ Array TakeMagnitude(const Array& vectors)
     norms->SetComponent(i, 0, std::sqrt(sum));
   }
   return norms;
+}
+
+template <typename T>
+void CopyComponent(const T* from, T* to, vtkIdType count, int components)
+{
+  constexpr vtkIdType PerTurn = 1 << 20;
+  flatblock::ParallelLoop loop;
+#pragma omp parallel for
+  for (vtkIdType first = 0; first < count; first += PerTurn)
+  {
+    loop.Do(
+      [&]
+      {
+        for (vtkIdType i = first; i < std::min(first + PerTurn, count); ++i)
+        {
+          to[i] = from[i * components];
+        }
+      });
+  }
+  loop.Finish();
 }
 
 Array TakeComponent(const Array& values, int component)
@@ -75,9 +126,13 @@ Array TakeComponent(const Array& values, int component)
   {
     return values;
   }
-  Array one = Array::Take(values->NewInstance());
-  one->SetNumberOfTuples(values->GetNumberOfTuples());
-  one->CopyComponent(0, values, component);
+  Array one = Allocate(values->GetDataType(), values->GetNumberOfTuples());
+  switch (values->GetDataType())
+  {
+    vtkTemplateMacro(CopyComponent(static_cast<const VTK_TT*>(values->GetVoidPointer(component)),
+      static_cast<VTK_TT*>(one->GetVoidPointer(0)), values->GetNumberOfTuples(),
+      values->GetNumberOfComponents()));
+  }
   return one;
 }
 
@@ -90,10 +145,11 @@ bool HasAny(vtkUnsignedCharArray* ghosts, int hidden)
 
 Array Blank(const Array& values, vtkUnsignedCharArray* ghosts, int hidden, vtkTypeInt64& count)
 {
-  Array blanked = MakeReals(values->GetDataType());
-  blanked->DeepCopy(values);
+  Array blanked = AllocateReals(values->GetDataType(), values->GetNumberOfTuples());
+  blanked->InsertTuples(0, values->GetNumberOfTuples(), 0, values);
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
+    CheckInterruptionAt(i);
     if ((ghosts->GetValue(i) & hidden) != 0)
     {
       blanked->SetComponent(i, 0, std::numeric_limits<double>::quiet_NaN());
@@ -106,13 +162,14 @@ Array Blank(const Array& values, vtkUnsignedCharArray* ghosts, int hidden, vtkTy
 // One more on each side, the same as the outermost.
 Array Surround(const Array& values, const flatblock::Index3& cells)
 {
-  Array padded = Array::Take(values->NewInstance());
-  padded->SetNumberOfTuples(static_cast<vtkIdType>(cells[0] + 2) * (cells[1] + 2) * (cells[2] + 2));
+  Array padded = Allocate(
+    values->GetDataType(), static_cast<vtkIdType>(cells[0] + 2) * (cells[1] + 2) * (cells[2] + 2));
   vtkIdType to = 0;
   for (int z = -1; z <= cells[2]; ++z)
   {
     for (int y = -1; y <= cells[1]; ++y)
     {
+      flatblock::CheckInterruption();
       const vtkIdType row = (static_cast<vtkIdType>(std::clamp(z, 0, cells[2] - 1)) * cells[1] +
                               std::clamp(y, 0, cells[1] - 1)) *
                             cells[0];
@@ -146,15 +203,16 @@ Array ToSamples(const Array& values, const flatblock::VolumeInput& input)
 
 Array NumberLabels(const Array& mask, const std::vector<int>& labels, bool hasLabels)
 {
-  auto numbers = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  numbers->SetNumberOfTuples(mask->GetNumberOfTuples());
+  Array numbers = Allocate(VTK_UNSIGNED_CHAR, mask->GetNumberOfTuples());
+  auto* to = static_cast<unsigned char*>(numbers->GetVoidPointer(0));
   for (vtkIdType i = 0; i < mask->GetNumberOfTuples(); ++i)
   {
+    CheckInterruptionAt(i);
     const double value = mask->GetComponent(i, 0);
     const auto place = std::find(labels.begin(), labels.end(), value);
     const bool isFound = place != labels.end() && value != 0.0;
     const auto number = isFound ? place - labels.begin() + 1 : 0;
-    numbers->SetValue(i, static_cast<unsigned char>(hasLabels ? number : (value != 0.0 ? 1 : 0)));
+    to[i] = static_cast<unsigned char>(hasLabels ? number : (value != 0.0 ? 1 : 0));
   }
   return numbers;
 }
@@ -190,23 +248,23 @@ void vtkFlatBlockScalars::Update(
   {
     return;
   }
-  this->Blanked = 0;
-  Array values = TakeComponent(UnpackBits(array), component);
+  vtkTypeInt64 blanked = 0;
+  Array values = ToSamples(TakeComponent(UnpackBits(array), component), input);
   vtkImageData* image = input.Image;
   const bool hidesPoints = HasAny(image->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT);
   const bool hidesCells = HasAny(image->GetCellGhostArray(), vtkDataSetAttributes::HIDDENCELL);
-  this->IgnoredBlanks = !input.IsCellData && hidesCells;
-  this->Samples = CountSamples(input);
-  values = ToSamples(values, input);
   if (input.IsCellData ? hidesCells : hidesPoints)
   {
     const int hidden = input.IsCellData ? int(vtkDataSetAttributes::HIDDENCELL)
                                         : int(vtkDataSetAttributes::HIDDENPOINT);
     const Array ghosts =
       ToSamples(input.IsCellData ? image->GetCellGhostArray() : image->GetPointGhostArray(), input);
-    values = Blank(values, vtkUnsignedCharArray::SafeDownCast(ghosts), hidden, this->Blanked);
+    values = Blank(values, vtkUnsignedCharArray::SafeDownCast(ghosts), hidden, blanked);
   }
+  this->IgnoredBlanks = !input.IsCellData && hidesCells;
+  this->Blanked = blanked;
   this->Values = values;
+  this->Samples = CountSamples(input);
   this->BuiltSamples = samples;
   this->BuiltImageTime = imageTime;
   this->BuiltComponent = component;

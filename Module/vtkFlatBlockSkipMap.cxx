@@ -1,5 +1,6 @@
 #include "vtkFlatBlockSkipMap.h"
 
+#include "Interruption.h"
 #include "VariationMap.h"
 #include "vtkFlatBlockBuilder.h"
 #include "vtkFlatBlockTransferFunction.h"
@@ -130,6 +131,7 @@ void vtkFlatBlockSkipMap::Update(const std::vector<Part>& parts,
   std::vector<flatblock::SkipMap::Kind> kinds;
   for (const Part& part : parts)
   {
+    flatblock::CheckInterruption();
     const auto ranges = GetRanges(part.Builder, settings, grid.Cubes, coarsening);
     Combine(
       Classify(ranges, part.Builder->GetCellScale(), part.Function->GetDecisiveValues()), kinds);
@@ -139,8 +141,11 @@ void vtkFlatBlockSkipMap::Update(const std::vector<Part>& parts,
     std::replace(kinds.begin(), kinds.end(), flatblock::SkipMap::Kind::Constant,
       flatblock::SkipMap::Kind::Varying);
   }
+  flatblock::CheckInterruption();
   flatblock::CoarsenKinds(grid.Cubes, coarsening, kinds);
+  flatblock::CheckInterruption();
   this->UpdateReach(builder, settings, grid, coarsening);
+  flatblock::CheckInterruption();
   this->Map = flatblock::BuildSkipMap(grid, kinds, visible, this->Reach);
   this->Used = settings;
   this->UsedParts = parts;

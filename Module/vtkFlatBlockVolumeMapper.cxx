@@ -2,7 +2,11 @@
 
 #include "vtkFlatBlockVolumeMapperInternals.h"
 
+#include "FlatBlockFormerPicture.h"
+#include "Interruption.h"
+
 #include "vtkAlgorithm.h"
+#include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
@@ -15,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <new>
 
 vtkStandardNewMacro(vtkFlatBlockVolumeMapper);
 
@@ -46,6 +51,19 @@ void vtkFlatBlockVolumeMapper::SetBlockSize(int samples)
   }
 }
 
+namespace
+{
+// Asked between the parts of what takes long. vtkRenderWindow::CheckAbortStatus() would let
+// observers answer five times a second, which is not often enough.
+bool IsToAbort(vtkAlgorithm* mapper, vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  window->InvokeEvent(vtkCommand::AbortCheckEvent, nullptr);
+  mapper->UpdateProgress(mapper->GetProgress());
+  return window->GetAbortRender() != 0 || mapper->GetAbortExecute() != 0;
+}
+} // namespace
+
 void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
@@ -53,19 +71,53 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   in.Statistics.MovedBytes = 0;
   in.Memory.ResetPeak();
   const flatblock::SelectorGuard guard(renderer->GetSelector());
+  this->AbortExecute = 0; // of an earlier frame
+  const flatblock::InterruptionScope scope([&] { return IsToAbort(this, renderer); });
   try
   {
     this->DrawFrame(renderer, volume);
     ++in.Frames;
+    in.WasGivenUp = false;
+    in.RememberPicture(renderer);
     in.LastError.clear();
     this->ReportProgress();
   }
+  catch (const flatblock::Interrupted&)
+  {
+    in.WasGivenUp = true;
+    flatblock::ShowFormerPicture(renderer, in.HasPicture(renderer));
+  }
+  catch (const std::bad_alloc&)
+  {
+    flatblock::ShowFormerPicture(renderer, in.HasPicture(renderer));
+    this->ReportOnce("There is not enough main memory for this frame; the former picture stays.");
+  }
   catch (const std::exception& problem)
   {
-    in.Residency.Clear();                          // an upload may have been cut short
-    in.Atlas->ReleaseGraphicsResources(in.Window); // it may be more than the limit now
+    in.DropBricks();
     this->ReportOnce(problem.what());
   }
+}
+
+void vtkFlatBlockVolumeMapper::vtkInternals::RememberPicture(vtkRenderer* renderer)
+{
+  const int* size = renderer->GetRenderWindow()->GetSize();
+  this->PictureSize = { size[0], size[1] };
+}
+
+// Of this window and of its size; pictures of selectors are not for people.
+bool vtkFlatBlockVolumeMapper::vtkInternals::HasPicture(vtkRenderer* renderer) const
+{
+  const int* size = renderer->GetRenderWindow()->GetSize();
+  return renderer->GetRenderWindow() == this->Window && !renderer->GetSelector() &&
+         this->PictureSize == std::array<int, 2>{ size[0], size[1] };
+}
+
+// What is there may be more than the limit now, or may have come in part.
+void vtkFlatBlockVolumeMapper::vtkInternals::DropBricks()
+{
+  this->Residency.Clear();
+  this->Atlas->ReleaseGraphicsResources(this->Window);
 }
 
 // Once, not once a frame.
@@ -93,7 +145,7 @@ double* vtkFlatBlockVolumeMapper::GetBounds()
 bool vtkFlatBlockVolumeMapper::GetConverged() const
 {
   const vtkInternals& in = *this->Internals;
-  return in.Frames > 0 && in.LastError.empty() && in.IsDistortionCurrent &&
+  return in.Frames > 0 && !in.WasGivenUp && in.LastError.empty() && in.IsDistortionCurrent &&
          in.Residency.GetLevels() == in.Levels->GetLevels();
 }
 

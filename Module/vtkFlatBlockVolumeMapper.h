@@ -12,9 +12,9 @@
  * A still picture depends on what is set, to the last bit, and not on what was drawn before.
  *
  * Hardware selection (vtkHardwareSelector) gives the prop, and the cell or the point where a ray
- * has gathered an opacity of 3/255.
- *
- * What cannot be drawn gives one error, and nothing is drawn until it is set right.
+ * has gathered an opacity of 3/255. What cannot be drawn gives one error, and nothing is drawn
+ * until it is set right. A frame that the window's abort check or SetAbortExecute() stops, or for
+ * which main memory is short, is given up: the window keeps its picture, and the next one goes on.
  *
  * @sa vtkGPUVolumeRayCastMapper vtkVolumeProperty
  */

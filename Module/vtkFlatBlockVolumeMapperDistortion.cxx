@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 // Distortion in vtkFlatBlockVolumeMapper: when it is computed, by what, and what it tells.
 
@@ -79,12 +80,19 @@ void vtkFlatBlockVolumeMapper::UpdateDistortion(vtkTypeInt64 mostBlocks)
     return;
   }
   const int threads = this->DistortionBackend == SERIAL ? 1 : this->NumberOfThreads;
-  const std::string problem =
-    in.Distortion->Compute(in.Builder, mostBlocks, threads, this->UsesCuda());
-  if (!problem.empty())
+  // As many as an interruption may lose, and as keep all threads busy.
+  constexpr vtkTypeInt64 BlocksPerThread = 128;
+  const auto cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const vtkTypeInt64 step = BlocksPerThread * (threads > 0 ? threads : cores);
+  for (vtkTypeInt64 left = mostBlocks; left > 0 && !in.Distortion->IsComplete(); left -= step)
   {
-    in.HasCudaFailed = true;
-    vtkWarningMacro(<< "CUDA failed (" << problem << "); OpenMP computes distortions.");
+    const std::string problem =
+      in.Distortion->Compute(in.Builder, std::min(left, step), threads, this->UsesCuda());
+    if (!problem.empty())
+    {
+      in.HasCudaFailed = true;
+      vtkWarningMacro(<< "CUDA failed (" << problem << "); OpenMP computes distortions.");
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -302,21 +303,25 @@ bool vtkFlatBlockVolumeMapper::TryAtlas(vtkRenderer* renderer, vtkVolume* volume
     this->RefinementFraction * static_cast<double>(this->GetNumberOfBlocks()));
   budget.Texels =
     this->UploadBytesPerFrame / static_cast<vtkTypeInt64>(BytesPerTexel(source.GetEncoding()));
-  const flatblock::FramePlan frame = in.PlanFrame(this->IsStepwise(renderer) ? &budget : nullptr,
-    this->InterblockContinuity && in.Sampling.MayCoarsenBorders());
-
-  flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
-  if (!in.Atlas->Execute(in.Window, frame, in.Residency, source))
+  try
   {
-    return false;
+    const flatblock::FramePlan frame = in.PlanFrame(this->IsStepwise(renderer) ? &budget : nullptr,
+      this->InterblockContinuity && in.Sampling.MayCoarsenBorders());
+    in.Statistics.FramesSinceChange = frame.IsEmpty() ? in.Statistics.FramesSinceChange : 0;
+    flatblock::StageTimer timer(in.Statistics.UploadMilliseconds);
+    if (!in.Atlas->Execute(in.Window, frame, in.Residency, source))
+    {
+      return false;
+    }
+  }
+  catch (const std::exception&)
+  {
+    in.DropBricks(); // which are not what was planned
+    throw;
   }
   in.Statistics.UploadedBytes = in.Atlas->GetUploadedBytes();
   in.Statistics.MovedBytes = in.Atlas->GetMovedBytes();
   in.LastAtlasBytes = in.Atlas->GetBytes();
-  if (!frame.IsEmpty())
-  {
-    in.Statistics.FramesSinceChange = 0;
-  }
   return true;
 }
 

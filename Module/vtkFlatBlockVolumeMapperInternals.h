@@ -26,6 +26,7 @@
 #include "vtkVolumeProperty.h"
 #include "vtkWeakPointer.h"
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -112,6 +113,9 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
     this->SetChannels({}, nullptr);
   }
 
+  void DropBricks();
+  void RememberPicture(vtkRenderer* renderer);
+  bool HasPicture(vtkRenderer* renderer) const;
   void SetChannels(const flatblock::VolumeInput& input, vtkVolumeProperty* property);
   void SetLabels(vtkVolumeProperty* property);
   bool IsPlain() const { return this->Channels.size() == 1 && !this->Mask; }
@@ -177,6 +181,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   flatblock::VolumeView TransmittanceView; // only compared with
   flatblock::FrameStatistics Statistics;
   vtkTypeInt64 Frames = 0; // drawn so far
+  std::array<int, 2> PictureSize = { 0, 0 };
   vtkTypeInt64 LastAtlasBytes = 0;
   flatblock::CardLimit CardLimit;
   std::string LastError;
@@ -187,6 +192,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   bool AreIndependent = false;
   bool HasSecondArray = false; // the last channel has the rows of 2D functions
   bool AreBrickRangesCurrent = false;
+  bool WasGivenUp = false; // by the last frame
   bool WasConverged = true;
   bool IsDistortionCurrent = true; // or not asked for
   bool HasCudaFailed = false;

@@ -3,6 +3,7 @@
 #include "vtkOpenGLFlatBlockAtlas.h"
 
 #include "FlatBlockGLErrors.h"
+#include "Interruption.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -238,15 +239,18 @@ public:
     this->Bytes.resize(std::max(this->Bytes.size(), bytes));
   }
 
-  void Read(const Uploads& uploads, const flatblock::BrickSource& source)
+  void Read(
+    const Uploads& uploads, const flatblock::BrickSource& source, flatblock::ParallelLoop& loop)
   {
     const auto count = static_cast<std::int64_t>(this->Offsets.size());
     const flatblock::BrickUpload* first = uploads.data() + this->First;
     const flatblock::BrickSource* from = &source; // a task would copy what a reference refers to
+    flatblock::ParallelLoop* turns = &loop;
 #pragma omp taskloop nogroup
     for (std::int64_t i = 0; i < count; ++i)
     {
-      from->ReadBrick(first[i].Block, first[i].Level, first[i].Border, this->GetBrick(i));
+      turns->Do([=]
+        { from->ReadBrick(first[i].Block, first[i].Level, first[i].Border, this->GetBrick(i)); });
     }
   }
 
@@ -282,28 +286,41 @@ void vtkOpenGLFlatBlockAtlas::Upload(const std::vector<flatblock::BrickUpload>& 
   vtkOpenGLState* state = this->Bricks->GetContext()->GetState();
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   Batch batches[2];
+  flatblock::ParallelLoop loop;
 #pragma omp parallel
 #pragma omp master
   {
     Batch* ready = &batches[0];
     Batch* next = &batches[1];
-    next->Begin(uploads, 0, source);
-    next->Read(uploads, source);
-    while (next->GetCount() > 0)
+    const auto begin = [&](std::size_t first)
+    {
+      loop.Do(
+        [&]
+        {
+          next->Begin(uploads, first, source);
+          next->Read(uploads, source, loop);
+        });
+    };
+    begin(0);
+    while (next->GetCount() > 0 && !loop.IsEnding())
     {
 #pragma omp taskwait
       std::swap(ready, next);
-      next->Begin(uploads, ready->GetFirst() + ready->GetCount(), source);
-      next->Read(uploads, source);
+      begin(ready->GetFirst() + ready->GetCount());
       for (std::size_t i = 0; i < ready->GetCount(); ++i)
       {
-        const flatblock::BrickUpload& upload = uploads[ready->GetFirst() + i];
-        this->UploadParts(upload, places.GetOrigin(upload.Place), source, ready->GetBrick(i));
+        loop.Do(
+          [&]
+          {
+            const flatblock::BrickUpload& upload = uploads[ready->GetFirst() + i];
+            this->UploadParts(upload, places.GetOrigin(upload.Place), source, ready->GetBrick(i));
+          });
       }
     }
   }
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   this->Bricks->Deactivate();
+  loop.Finish();
 }
 
 void vtkOpenGLFlatBlockAtlas::UploadParts(const flatblock::BrickUpload& upload,

@@ -63,18 +63,15 @@ void CheckPlaces(
 
 void Compact(AtlasAllocator& atlas, std::int64_t texels, std::map<BrickPlace, int>& places)
 {
-  std::map<BrickPlace, int> moved = places;
   const Compaction compaction = atlas.Compact(texels);
-  for (const auto& [from, to] : compaction.NewPlaces)
+  for (const auto& [from, to] : compaction.NewPlaces) // in order: a brick may move on
   {
-    moved.erase(from);
+    const auto brick = places.find(from);
+    Require(brick != places.end());
+    const int level = brick->second;
+    places.erase(brick);
+    Require(places.emplace(to, level).second);
   }
-  for (const auto& [from, to] : compaction.NewPlaces)
-  {
-    moved[to] = places.at(from);
-  }
-  Require(moved.size() == places.size());
-  places = moved;
 }
 } // namespace
 
