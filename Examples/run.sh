@@ -11,6 +11,7 @@ for word in "$@"; do
 done
 
 install_packages "${build_packages[@]}" "${run_packages[@]}"
-build release
+configure release
+logged build cmake --build "$project/build/release" --target FlatBlockView
 exec "$project/Testing/Support/with-display.sh" "$project/build/release/bin/FlatBlockView" \
   --default /usr/share/mricron/templates/ch2better.nii.gz "$@"

@@ -1,14 +1,14 @@
 /// The volume that a mapper is to draw, checked.
 #pragma once
 
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
 #include "vtkSmartPointer.h"
 
 #include <vector>
 
 class vtkFlatBlockDataMapper;
-class vtkDataArray;
-class vtkImageData;
-class vtkMatrix4x4;
 class vtkVolumeProperty;
 
 namespace flatblock
@@ -25,14 +25,15 @@ struct Components
   }
 };
 
+/// It holds what it names: observers of a frame may take the mapper's input away.
 struct VolumeInput
 {
-  vtkImageData* Image = nullptr;
-  vtkDataArray* Scalars = nullptr;
+  vtkSmartPointer<vtkImageData> Image;
+  vtkSmartPointer<vtkDataArray> Scalars;
   bool IsCellData = false; ///< samples are the cells, with one more around on each side
   flatblock::Components Components;
-  vtkDataArray* SecondScalars = nullptr;         ///< rows of 2D functions
-  vtkImageData* Mask = nullptr;                  ///< as large, with one component of scalars
+  vtkSmartPointer<vtkDataArray> SecondScalars;   ///< rows of 2D functions
+  vtkSmartPointer<vtkImageData> Mask;            ///< as large, with one component of scalars
   bool HasLabels = false;                        ///< in the mask
   vtkSmartPointer<vtkMatrix4x4> SampleToDataSet; ///< indices start at (0, 0, 0)
   double SmallestSpacing = 0.0;

@@ -70,6 +70,12 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   in.Statistics.UploadedBytes = 0;
   in.Statistics.MovedBytes = 0;
   in.Memory.ResetPeak();
+  if (renderer->GetRenderWindow()->GetAbortRender()) // as by another volume
+  {
+    in.WasGivenUp = true;
+    flatblock::ShowFormerPicture(renderer, in.HasPicture(renderer));
+    return;
+  }
   const flatblock::SelectorGuard guard(renderer->GetSelector());
   this->AbortExecute = 0; // of an earlier frame
   const flatblock::InterruptionScope scope([&] { return IsToAbort(this, renderer); });
@@ -95,6 +101,10 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   catch (const std::exception& problem)
   {
     in.DropBricks();
+    if (in.Memory.GetBytes() > this->MaxMemoryInBytes)
+    {
+      in.RayCaster->ReleaseGraphicsResources(in.Window);
+    }
     this->ReportOnce(problem.what());
   }
 }
@@ -131,15 +141,25 @@ void vtkFlatBlockVolumeMapper::ReportOnce(const char* error)
   }
 }
 
-// A renderer leaves out volumes whose bounds are not finite, and Render() could not say why.
+// As the superclass does, but that observers of the update may take the input away; and a renderer
+// leaves out volumes whose bounds are not finite, so that Render() could not say why.
 double* vtkFlatBlockVolumeMapper::GetBounds()
 {
-  double* bounds = this->Superclass::GetBounds();
-  if (bounds && !std::all_of(bounds, bounds + 6, [](double b) { return std::isfinite(b); }))
+  if (this->GetDataSetInput())
   {
-    vtkMath::UninitializeBounds(this->Bounds);
+    this->Update();
   }
-  return bounds;
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (vtkDataSet* input = this->GetDataSetInput())
+  {
+    double bounds[6];
+    input->GetBounds(bounds);
+    if (std::all_of(bounds, bounds + 6, [](double b) { return std::isfinite(b); }))
+    {
+      std::copy_n(bounds, 6, this->Bounds);
+    }
+  }
+  return this->Bounds;
 }
 
 bool vtkFlatBlockVolumeMapper::GetConverged() const

@@ -3,7 +3,8 @@
 # Testing/run.sh [--coverage | --fuzz [SECONDS] | --sanitize]
 #   --coverage   lines of Kernels and Module/Core that the unit tests run, and no more
 #   --fuzz       each of libFuzzer's targets for so many seconds (60), and no more
-#   --sanitize   the unit tests under the address and undefined-behaviour sanitizers, and no more
+#   --sanitize   the unit tests under the sanitizers of addresses, undefined behaviour and threads, some
+#                render tests under the first two, and no more
 # Installs what is missing first.
 source "$(dirname "${BASH_SOURCE[0]}")/Support/setup.sh"
 
@@ -63,17 +64,39 @@ run_fuzzers() { # SECONDS
 # In builds that are slow by what they look for times mean nothing.
 without_times=(--gtest_brief=1 '--gtest_filter=-*Milliseconds*')
 
-# The unit tests alone, in a build of their own.
-build_units() { # PRESET
+# The unit tests, or others, alone, in a build of their own.
+build_tests() { # PRESET [TARGET...]
   install_packages "${build_packages[@]}" "${vtk91_needs[@]}"
   unpack_vtk91
   logged configure env -C "$project" cmake --preset "$1"
-  logged build cmake --build "$project/build/$1" --target FlatBlockUnitTests
+  logged build cmake --build "$project/build/$1" --target FlatBlockUnitTests "${@:2}"
+}
+
+# Calls at random, frames that are given up, and what programs do to what is drawn. Leaks of the driver
+# are not ours; it stays loaded, or nobody could tell whose they are.
+run_render_tests_with_asan() {
+  local tests='RandomCalls.*:StayingUp.*:*Interruption.Keeps*:Scenes.MarschnerLobb'
+  "$project/Testing/Support/with-display.sh" env \
+    LD_PRELOAD="$(g++ -print-file-name=libasan.so) $(find /usr/lib -name swrast_dri.so | tail -1)" \
+    LSAN_OPTIONS="suppressions=$project/Testing/Support/leaks-of-drivers.txt:print_suppressions=0" \
+    "$project/build/asan/Testing/FlatBlockRenderTests" --gtest_brief=1 "--gtest_filter=$tests"
+}
+
+run_sanitizers() {
+  local archer
+  install_packages clang libclang-rt-14-dev libomp-14-dev "${run_packages[@]}"
+  build_tests asan FlatBlockRenderTests
+  "$project/build/asan/Testing/FlatBlockUnitTests" "${without_times[@]}" || failures=1
+  build_tests tsan
+  archer=$(find /usr/lib/llvm-*/lib -name libarcher.so | tail -1) # tells of OpenMP's own order
+  OMP_TOOL_LIBRARIES="$archer" TSAN_OPTIONS=ignore_noninstrumented_modules=1 \
+    "$project/build/tsan/Testing/FlatBlockUnitTests" "${without_times[@]}" || failures=1
+  run_render_tests_with_asan || failures=1
 }
 
 print_coverage() {
   install_packages gcovr
-  build_units coverage
+  build_tests coverage
   find "$project/build/coverage" -name '*.gcda' -delete
   logged coverage "$project/build/coverage/Testing/FlatBlockUnitTests" "${without_times[@]}"
   gcovr --root "$project" --filter 'Kernels/' --filter 'Module/Core/' --filter 'Module/IO/.*(Format|Codec)' \
@@ -84,7 +107,7 @@ failures=0
 case "${1:-}" in
 --coverage) print_coverage; exit ;;
 --fuzz) run_fuzzers "${2:-60}"; exit "$failures" ;;
---sanitize) build_units asan; exec "$project/build/asan/Testing/FlatBlockUnitTests" "${without_times[@]}" ;;
+--sanitize) run_sanitizers; exit "$failures" ;;
 esac
 install_packages "${build_packages[@]}" "${run_packages[@]}" "${vtk91_needs[@]}"
 check_format

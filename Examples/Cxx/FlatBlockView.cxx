@@ -113,12 +113,23 @@ std::string WritePicture(vtkRenderWindow* window, const std::string& file)
   grab->SetInput(window);
   grab->ReadFrontBufferOff();
   grab->ShouldRerenderOff();
+  // Beside it first: a former picture stays where the disk is full.
+  const std::string unfinished = file + ".part";
   vtkNew<vtkPNGWriter> writer;
+  vtkNew<vtkCallbackCommand> silence; // it says in two lines what follows in one
+  silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  writer->AddObserver(vtkCommand::ErrorEvent, silence);
   writer->SetInputConnection(grab->GetOutputPort());
-  writer->SetFileName(file.c_str());
+  writer->SetFileName(unfinished.c_str());
   writer->Write();
-  if (writer->GetErrorCode() != 0)
+  std::error_code problem;
+  if (writer->GetErrorCode() == 0)
   {
+    std::filesystem::rename(unfinished, file, problem);
+  }
+  if (writer->GetErrorCode() != 0 || problem)
+  {
+    std::filesystem::remove(unfinished, problem);
     throw std::runtime_error("'" + file + "' could not be written.");
   }
   return std::filesystem::absolute(file).string();

@@ -1,4 +1,5 @@
 // Scenes drawn at random from everything that is extreme, each compared with the reference.
+#include "Dice.h"
 #include "Extremes.h"
 #include "Volumes.h"
 
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <random>
 
 using namespace flatblock::testing;
 
@@ -23,29 +23,6 @@ constexpr int Scenes = 300;
 // Most are right to 1e-5. Functions that jump are off where values stay within 1/8191 of their
 // range beside the jump, for so finely the table tells them.
 constexpr double Bound = 0.05;
-
-class Dice
-{
-public:
-  explicit Dice(unsigned seed) : Random(seed) {}
-
-  double Between(double low, double high)
-  {
-    return std::uniform_real_distribution<double>(low, high)(this->Random);
-  }
-  double Power(double low, double high) { return std::pow(10.0, this->Between(low, high)); }
-  bool Chance(double share) { return this->Between(0.0, 1.0) < share; }
-
-  template <typename T>
-  T OneOf(std::initializer_list<T> choices)
-  {
-    const auto last = static_cast<int>(choices.size()) - 1;
-    return choices.begin()[std::uniform_int_distribution<int>(0, last)(this->Random)];
-  }
-
-private:
-  std::mt19937 Random;
-};
 
 // Waves or noise, over any range, with a few samples that are not finite.
 void SetField(Scene& scene, Dice& dice)

@@ -19,9 +19,9 @@ MOST_MIB = 200
 class Run:
     """FlatBlockView, with its status, texts and the most memory it had."""
 
-    def __init__(self, file, *options):
+    def __init__(self, file, *options, cwd=None):
         process = subprocess.Popen([VIEW, file, *options], stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=cwd)
         timer = threading.Timer(MOST_SECONDS, process.kill)
         timer.start()
         self.stdout, self.stderr = (stream.read().decode(errors="replace")
@@ -37,7 +37,7 @@ class Run:
 class BadFilesTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
+        cls.folder = tempfile.TemporaryDirectory(prefix="with space ü ж ")
         subprocess.run([sys.executable, MAKE_CORPUS, cls.folder.name], check=True)
 
     @classmethod
@@ -63,6 +63,17 @@ class BadFilesTest(unittest.TestCase):
             run = Run(file, "--output", picture, "--size", "32", "32")
             self.assertEqual((run.status, run.stderr), (0, ""))
             os.remove(picture)
+
+    def test_a_current_directory_that_cannot_be_written_to(self):
+        """/proc is none, even for root. A picture may go elsewhere."""
+        file = os.path.join(self.folder.name, "good", "good.nii")
+        run = Run(file, "--size", "32", "32", cwd="/proc")
+        self.assertEqual(run.status, 1)
+        self.assertEqual(run.stderr, "FlatBlockView: 'flatblock.png' could not be written.\n")
+        picture = os.path.join(self.folder.name, "elsewhere.png")
+        run = Run(file, "--size", "32", "32", "--output", picture, cwd="/proc")
+        self.assertEqual((run.status, run.stderr), (0, ""))
+        self.assertTrue(os.path.exists(picture))
 
     def test_bad_ones_get_one_message(self):
         picture = os.path.join(self.folder.name, "former.png")

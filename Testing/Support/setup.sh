@@ -13,7 +13,7 @@ build_packages+=(
   qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev libqt5x11extras5-dev
   libxml2-dev libhdf5-mpi-dev libnetcdf-dev)
 # A display where there is none, OpenGL in software, and a real MRI.
-run_packages=(xvfb xauth libgl1-mesa-dri mricron-data)
+run_packages=(xvfb xauth libgl1-mesa-dri locales mricron-data)
 
 logged() { # NAME COMMAND...
   local log="$project/build/$1.log"
@@ -50,13 +50,17 @@ install_packages() { # PACKAGE...
   logged packages "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive $command
 }
 
-build() { # PRESET [CMAKE OPTION...]
-  local preset=$1 folder="$project/build/$1"
+configure() { # PRESET [CMAKE OPTION...]
+  local preset=$1
   shift
-  if [ ! -f "$folder/build.ninja" ]; then
+  if [ ! -f "$project/build/$preset/build.ninja" ]; then
     echo "Configuring and building $preset ..."
     logged configure env -C "$project" cmake --preset "$preset" "$@"
     grep -E '^-- (VTK|CUDA|OpenMP)' "$project/build/configure.log"
   fi
-  logged build cmake --build "$folder"
+}
+
+build() { # PRESET [CMAKE OPTION...]
+  configure "$@"
+  logged build cmake --build "$project/build/$1"
 }

@@ -232,7 +232,6 @@ TEST(FramePlan, StillsForgetTheirHistory)
   Residency residency;
   Atlas atlas;
   Levels levels(WalkedBlocks, 3);
-  std::size_t uploads = 0;
   for (int edit = 0; edit < 1000; ++edit)
   {
     const Continuity continuity = edit % 7 != 0 ? Continuity::Nested : Continuity::Off;
@@ -246,7 +245,6 @@ TEST(FramePlan, StillsForgetTheirHistory)
       continue;
     }
     const FramePlan plan = residency.PlanStill(Walked, levels, shape, continuity);
-    uploads += plan.Uploads.size();
     atlas.Execute(residency, plan);
     ASSERT_NO_FATAL_FAILURE(atlas.ExpectHolds(Walked, residency, levels, continuity));
     Residency fresh;

@@ -20,8 +20,10 @@ kernels=$(names Kernels/*.h)
 
 forbid "Kernels knows VTK, OpenGL or Core" "vtk|GL/|$core" Kernels/*.{h,cxx,cu}
 forbid "Core knows VTK, OpenGL or Kernels" "vtk|GL/|$kernels" Module/Core/*.{h,cxx}
+# How loops of threads end serves them all.
+numbers=${kernels/Interruption.h|/}
 forbid "An OpenGL class knows Kernels, the builder or the mapper" \
-  "$kernels|vtkFlatBlock|FlatBlockVolumeInput" Module/vtkOpenGLFlatBlock*.{h,cxx} \
+  "$numbers|vtkFlatBlock|FlatBlockVolumeInput" Module/vtkOpenGLFlatBlock*.{h,cxx} \
   Module/FlatBlockRayCasterProgram.*
 forbid "The levels know the builder, the mapper or an OpenGL class" \
   "$kernels|vtkFlatBlock(Builder|VolumeMapper)|vtkOpenGL" Module/vtkFlatBlockLevels.*

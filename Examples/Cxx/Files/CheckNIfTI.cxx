@@ -165,7 +165,7 @@ void CheckNIfTI(const std::string& file)
   CheckPlacing(header);
   if (!(offset >= Size1 && offset <= Most))
   {
-    header.Refuse("its samples are said to begin at byte " + std::to_string(offset) + ".");
+    header.Refuse("its vox_offset is none from 348 on.");
   }
   const double bytes = samples + offset;
   const double present = static_cast<double>(

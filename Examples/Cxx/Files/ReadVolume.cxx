@@ -20,7 +20,9 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <locale>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 
 namespace
@@ -124,6 +126,16 @@ double GetBytesPerSample(vtkInformation* announced)
          std::max(1, components);
 }
 
+std::string ToText(double number)
+{
+  constexpr int Digits = 15;
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(Digits);
+  text << number;
+  return text.str();
+}
+
 void CheckSpacing(vtkInformation* announced, const std::string& file)
 {
   constexpr double Least = 1e-12;
@@ -133,8 +145,8 @@ void CheckSpacing(vtkInformation* announced, const std::string& file)
                    [](double s) { return std::abs(s) >= Least && std::abs(s) <= Most; }))
   {
     throw std::runtime_error("'" + file + "' could not be read: its spacing is (" +
-                             std::to_string(spacing[0]) + ", " + std::to_string(spacing[1]) + ", " +
-                             std::to_string(spacing[2]) +
+                             ToText(spacing[0]) + ", " + ToText(spacing[1]) + ", " +
+                             ToText(spacing[2]) +
                              "), but three numbers from 1e-12 to 1e12 are expected.");
   }
 }
@@ -162,9 +174,9 @@ double CheckAnnouncement(vtkInformation* announced, const std::string& file)
   const bool isElsewhere = ending == ".mhd" || ending == ".nhdr"; // and was looked at
   if (!isElsewhere && bytes > static_cast<double>(present) * MostTimes)
   {
-    throw std::runtime_error("'" + file + "' could not be read: it asks for " +
-                             std::to_string(bytes) + " bytes of samples, more than its " +
-                             std::to_string(present) + " bytes can hold.");
+    throw std::runtime_error("'" + file + "' could not be read: it asks for " + ToText(bytes) +
+                             " bytes of samples, more than its " + std::to_string(present) +
+                             " bytes can hold.");
   }
   return bytes;
 }
