@@ -238,6 +238,10 @@ void Relent(Scene& scene, Dice& dice)
     scene.Mapper->RemoveAllClippingPlanes();
     scene.Mapper->CroppingOff();
     scene.SetRamp(50.0, 950.0, 0.2);
+    scene.Mapper->SetSampleDistance(0.0);
+    scene.Mapper->SetRayStartOffset(0.0);
+    scene.Window->SetSize(48, 48);
+    scene.Renderer->ResetCamera();
   }
 }
 
