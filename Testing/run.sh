@@ -78,7 +78,7 @@ run_render_tests_with_asan() {
   local tests='RandomCalls.*:StayingUp.*:*Interruption.Keeps*:Scenes.MarschnerLobb'
   "$project/Testing/Support/with-display.sh" env \
     LD_PRELOAD="$(g++ -print-file-name=libasan.so) $(find /usr/lib -name swrast_dri.so | tail -1)" \
-    LSAN_OPTIONS="suppressions=$project/Testing/Support/leaks-of-drivers.txt:print_suppressions=0" \
+    LSAN_OPTIONS="suppressions=$project/Testing/Support/leaks-of-others.txt:print_suppressions=0" \
     "$project/build/asan/Testing/FlatBlockRenderTests" --gtest_brief=1 "--gtest_filter=$tests"
 }
 
