@@ -64,6 +64,13 @@ public:
   /**
    * Valid after Update(), until the image's samples change.
    */
+  /// So that the next Update() builds everything.
+  void Forget()
+  {
+    this->Quantized.reset();
+    this->Source.reset();
+  }
+
   const flatblock::BrickSource& GetSource() const
   {
     return this->Quantized ? *this->Quantized : *this->Source;

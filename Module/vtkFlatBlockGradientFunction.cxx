@@ -14,6 +14,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkFlatBlockGradientFunction);
 
@@ -158,16 +159,17 @@ void vtkFlatBlockGradientFunction::Update(vtkVolumeProperty* property,
   {
     return;
   }
-  this->Table = {};
+  flatblock::FunctionTable table;
   if (flatblock::HasTwoDimensions(property))
   {
-    this->Table = MakeColors(
+    table = MakeColors(
       property->GetTransferFunction2D(), property->GetScalarOpacityUnitDistance() / unitOfLength);
   }
   else if (flatblock::HasGradientOpacity(property, functions))
   {
-    this->Table = MakeOpacity(property, spans, isForEach);
+    table = MakeOpacity(property, spans, isForEach);
   }
+  this->Table = std::move(table);
   this->BuiltProperty = property;
   this->BuiltTime = edited;
   this->BuiltUnit = unitOfLength;

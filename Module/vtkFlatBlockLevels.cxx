@@ -44,8 +44,8 @@ bool vtkFlatBlockLevels::UpdateShape(const flatblock::BrickSource& source,
   const auto request = MakeShapeRequest(source, limits);
   if (!(request == this->ShapeRequest))
   {
-    this->ShapeRequest = request;
     this->Shape = flatblock::AtlasShape(request);
+    this->ShapeRequest = request;
     this->IsNewShape = true;
   }
   return this->Shape.GetDepthOf({ CountVisible(visible) }) > this->Shape.GetDepth();
@@ -106,10 +106,10 @@ void vtkFlatBlockLevels::Update(const flatblock::BrickSource& source, const Bloc
   {
     return;
   }
+  this->IsNewShape = true; // to be tried again, unless all goes well
   if (this->Shape.GetDepth() == 0 ||
       !this->Selector.Select(this->Order, this->Shape, limits.NumberOfLevels))
   {
-    this->IsNewShape = true; // to be tried again
     throw std::runtime_error(this->DescribeTooLittleMemory(
       limits, CountVisible(*blocks.Visible), GetBytesPerTexel(source)));
   }

@@ -236,8 +236,9 @@ bool vtkFlatBlockTransferFunction::Update(vtkVolumeProperty* property, int compo
     entries[i] = { colors[3 * i], colors[3 * i + 1], colors[3 * i + 2],
       static_cast<float>(flatblock::GetExtinction(opacities[i], distance)) };
   }
-  this->Table = flatblock::TransferTable(range.Lowest, range.Highest, std::move(entries));
-  this->DecisiveValues = flatblock::GetDecisiveValues(this->Table, blending);
+  flatblock::TransferTable table(range.Lowest, range.Highest, std::move(entries));
+  this->DecisiveValues = flatblock::GetDecisiveValues(table, blending);
+  this->Table = std::move(table);
   this->BuiltBlending = blending;
   this->BuiltProperty = property;
   this->BuiltComponent = component;

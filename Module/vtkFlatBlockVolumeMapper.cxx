@@ -60,6 +60,10 @@ bool IsToAbort(vtkAlgorithm* mapper, vtkRenderer* renderer)
   vtkRenderWindow* window = renderer->GetRenderWindow();
   window->InvokeEvent(vtkCommand::AbortCheckEvent, nullptr);
   mapper->UpdateProgress(mapper->GetProgress());
+  if (!window->IsCurrent())
+  {
+    window->MakeCurrent(); // observers may have drawn others
+  }
   return window->GetAbortRender() != 0 || mapper->GetAbortExecute() != 0;
 }
 } // namespace

@@ -29,6 +29,7 @@ void vtkFlatBlockVolumeMapper::vtkInternals::SetChannels(
   if (this->Channels.size() != count || this->AreIndependent != components.AreIndependent ||
       this->HasSecondArray != hasSecond || (this->Mask != nullptr) != (input.Mask != nullptr))
   {
+    this->Residency.Clear(); // of bricks that nobody knows any more
     this->Channels.clear();
     this->Mask = input.Mask ? std::make_unique<flatblock::MaskChannel>() : nullptr;
     this->Interleaved.reset();
@@ -70,6 +71,21 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateFunctions()
   }
   this->GradientFunction->Update(
     this->Property, ranges, this->AreIndependent, this->Sampling.UnitOfLength);
+}
+
+// The next frame builds all of them.
+void vtkFlatBlockVolumeMapper::vtkInternals::ForgetBlocks()
+{
+  this->Residency.Clear();
+  this->Interleaved.reset();
+  for (const auto& channel : this->Channels)
+  {
+    channel->Builder->Forget();
+  }
+  if (this->Mask)
+  {
+    this->Mask->Builder->Forget();
+  }
 }
 
 // Whether there are other bricks than before.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <thread>
 
 // Distortion in vtkFlatBlockVolumeMapper: when it is computed, by what, and what it tells.
@@ -52,7 +53,6 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateTransmittance(const flatblock
         return static_cast<float>(
           std::min(-std::log1p(-std::min(opacity, 1.0)) / unit, MostExtinction));
       });
-    this->ExtinctionTime.Modified();
   }
   const flatblock::VolumeView& last = this->TransmittanceView;
   if (isNewTable || !(view.Camera == last.Camera) || view.DataSetSpacing != last.DataSetSpacing)
@@ -61,6 +61,7 @@ void vtkFlatBlockVolumeMapper::vtkInternals::UpdateTransmittance(const flatblock
       this->GetSource().GetGrid(), this->LeastExtinction, view.DataSetSpacing, view.Camera);
     this->TransmittanceView = view;
     this->TransmittanceTime.Modified();
+    this->ExtinctionTime.Modified();
   }
 }
 
@@ -111,9 +112,17 @@ double vtkFlatBlockVolumeMapper::GetTotalDistortion()
   vtkInternals& in = *this->Internals;
   const auto& levels = in.Residency.GetLevels();
   double total = 0.0;
-  if (!levels.empty())
+  try
   {
-    this->UpdateDistortion(VTK_TYPE_INT64_MAX);
+    if (!levels.empty())
+    {
+      this->UpdateDistortion(VTK_TYPE_INT64_MAX);
+    }
+  }
+  catch (const std::exception& problem)
+  {
+    this->ReportOnce(problem.what());
+    return 0.0;
   }
   for (std::size_t block = 0; block < levels.size(); ++block)
   {

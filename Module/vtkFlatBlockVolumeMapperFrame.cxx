@@ -150,7 +150,17 @@ void vtkFlatBlockVolumeMapper::UpdateBlocks()
     bricks.MayBeSpline && this->InterpolatingBSpline && in.IsPlain() && !in.Sampling.ReadsSamples();
   bricks.AreCoefficients =
     bricks.MayInterpolate && in.Sampling.Filter == flatblock::ReconstructionFilter::CubicBSpline;
-  if (in.UpdateBuilders(this->BlockSize, bricks))
+  bool areNew = false;
+  try
+  {
+    areNew = in.UpdateBuilders(this->BlockSize, bricks);
+  }
+  catch (const std::exception&)
+  {
+    in.ForgetBlocks(); // some of which may be others than before
+    throw;
+  }
+  if (areNew)
   {
     in.Residency.Clear();
     in.LastAtlasBytes = 0;
@@ -200,7 +210,7 @@ void vtkFlatBlockVolumeMapper::UpdateLevels(vtkRenderer* renderer, vtkVolume* vo
   const flatblock::BrickSource& source = in.GetSource();
   const bool isLimited = in.Levels->UpdateShape(source, in.VisibleBlocks, limits);
   auto criterion = vtkFlatBlockLevels::Criterion::Distance;
-  in.IsDistortionCurrent = true;
+  in.IsDistortionCurrent = !isLimited || this->SelectionCriterion == DISTANCE;
   if (isLimited && this->SelectionCriterion != DISTANCE)
   {
     criterion = this->SelectionCriterion == DISTORTION

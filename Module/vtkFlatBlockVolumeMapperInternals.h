@@ -121,6 +121,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   bool IsPlain() const { return this->Channels.size() == 1 && !this->Mask; }
   void UpdateFunctions();
   void UpdateLabelFunctions();
+  void ForgetBlocks();
   bool UpdateBuilders(int blockSize, const vtkFlatBlockBuilder::Bricks& bricks);
   vtkTypeInt64 CountHoles() const;
   vtkMTimeType GetFunctionTime() const;

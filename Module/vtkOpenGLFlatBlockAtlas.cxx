@@ -331,10 +331,11 @@ void vtkOpenGLFlatBlockAtlas::UploadParts(const flatblock::BrickUpload& upload,
   const flatblock::BlockGrid& grid = source.GetGrid();
   const int side = grid.GetTexelSide(upload.Level);
   vtkTypeInt64 texels = 0;
+  const auto boxes =
+    flatblock::GetBoxes(upload.Parts, grid.GetBrickSide(upload.Level), grid.GetApron());
   glPixelStorei(GL_UNPACK_ROW_LENGTH, side);
   glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, side);
-  for (const flatblock::BrickBox& box :
-    flatblock::GetBoxes(upload.Parts, grid.GetBrickSide(upload.Level), grid.GetApron()))
+  for (const flatblock::BrickBox& box : boxes)
   {
     const flatblock::Index3& at = box.First;
     const std::size_t texel = at[0] + static_cast<std::size_t>(side) * (at[1] + side * at[2]);

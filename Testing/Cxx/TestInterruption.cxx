@@ -11,6 +11,7 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -248,6 +249,7 @@ private:
 // With room for less and less of what the tables take: each either draws or says so.
 TEST(MainMemory, ShortageKeepsTheFormerPicture)
 {
+  mallopt(M_MMAP_THRESHOLD, 1 << 17); // what is freed goes back, and is not had once more
   const auto noise = MakeVectors(MakeNoise(128));
   int refused = 0;
   for (std::uintmax_t room = std::uintmax_t(24) << 20; room > 1 << 16; room /= 4)

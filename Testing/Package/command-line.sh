@@ -49,9 +49,9 @@ refused "could not be read" one
 printf 'NDims = 4\nElementDataFile = LOCAL\n' >four.mha
 refused "NDims is '4', but 3 is expected" four.mha
 printf 'NDims = 3\nDimSize = 9 9 9\nElementType = MET_SHORT\nElementDataFile = /no/where\n' >no.mhd
-refused "its ElementDataFile '/no/where' cannot be read" no.mhd
+refused "its ElementDataFile '/no/where' is no file that can be read" no.mhd
 printf 'NDims = 3\nDimSize = 999999999 999999999 9\nElementType = MET_SHORT\nElementDataFile = LOCAL\n' >big.mha
-refused "more than 0 bytes of file hold" big.mha
+refused "bytes of samples, but holds less" big.mha
 refused "1000 bytes, but --raw asks for 2000" ten.raw --raw 10 10 10 int16
 refused "is none of uint8" ten.raw --raw 10 10 10 complex
 refused "is not a number" ten.raw --raw 10 ten 10 uint8

@@ -12,7 +12,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t MostToUnpack = std::uintmax_t(256) << 20;
+constexpr std::uintmax_t MostToUnpack = std::uintmax_t(64) << 20;
 constexpr std::uintmax_t MostTimes = 1032; // https://zlib.net/zlib_tech.html, maximum compression
 constexpr int AnyHeader = 15 + 32;         // for inflateInit2: zlib's or gzip's
 

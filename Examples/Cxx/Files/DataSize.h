@@ -6,7 +6,7 @@
 
 /// Unpacks what is in a file, gzip or zlib, from an offset on, and counts it. Stops where there are
 /// more than `most`, so that no file can make it long.
-/// @param most  bytes. Beyond 256 MiB it would take too long, and the file's own bytes answer: that
+/// @param most  bytes. Beyond 64 MiB it would take too long, and the file's own bytes answer: that
 ///   they may hold as much, since deflate packs 1032 bytes into one at best.
 /// @return bytes; less than most where the stream is damaged, more than most where it goes on
 std::uintmax_t CountUnpacked(const std::string& file, std::uintmax_t offset, std::uintmax_t most);

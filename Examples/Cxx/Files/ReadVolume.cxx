@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <locale>
@@ -151,6 +152,14 @@ void CheckSpacing(vtkInformation* announced, const std::string& file)
   }
 }
 
+std::string GetEnding(const std::string& file)
+{
+  std::string ending = fs::path(file).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
 // Of the samples that a reader is about to read.
 double CheckAnnouncement(vtkInformation* announced, const std::string& file)
 {
@@ -170,7 +179,7 @@ double CheckAnnouncement(vtkInformation* announced, const std::string& file)
   }
   CheckSpacing(announced, file);
   const std::uintmax_t present = MeasureFiles(file).Bytes;
-  const std::string ending = fs::path(file).extension().string();
+  const std::string ending = GetEnding(file);
   const bool isElsewhere = ending == ".mhd" || ending == ".nhdr"; // and was looked at
   if (!isElsewhere && bytes > static_cast<double>(present) * MostTimes)
   {
@@ -181,9 +190,31 @@ double CheckAnnouncement(vtkInformation* announced, const std::string& file)
   return bytes;
 }
 
+// Generous, for slow machines: what hangs is stopped all the same.
+double GetSeconds(const FileSizes& sizes, double bytes)
+{
+  constexpr double SecondsPerFile = 0.005;
+  constexpr double BytesPerSecond = 4e6;
+  return SecondsPerFile * static_cast<double>(sizes.Files) +
+         (static_cast<double>(sizes.Bytes) + bytes) / BytesPerSecond;
+}
+
+// What is unpacked before the header is known, or to count it.
+double GetUnpackedBytes(const std::string& file, double bytes)
+{
+  constexpr double MostTimes = 1032.0;
+  constexpr double MostToCount = 64.0 * 1024.0 * 1024.0;
+  constexpr double MostTimesOfPVM = 4.0 * 102.0;
+  return GetEnding(file) == ".pvm" ? MostTimesOfPVM * bytes
+                                   : std::min(MostTimes * bytes, MostToCount);
+}
+
 vtkSmartPointer<vtkAlgorithm> Open(const Options& options, double& bytes)
 {
-  const ReaderGuard guard(MeasureFiles(options.File).Files, 0);
+  const FileSizes sizes = MeasureFiles(options.File);
+  const double unpacked = GetUnpackedBytes(options.File, static_cast<double>(sizes.Bytes));
+  const ReaderGuard guard(GetSeconds(sizes, unpacked),
+    GetEnding(options.File) == ".pvm" ? static_cast<std::uintmax_t>(unpacked) : 0);
   const Listening listening(options.File);
   vtkSmartPointer<vtkAlgorithm> reader = MakeReader(options);
   listening.Check();
@@ -196,7 +227,10 @@ vtkSmartPointer<vtkAlgorithm> Open(const Options& options, double& bytes)
 void Read(vtkAlgorithm* reader, const std::string& file, double bytes)
 {
   constexpr double Copies = 3.0; // that readers hold at the same time
-  const ReaderGuard guard(MeasureFiles(file).Files, static_cast<std::uintmax_t>(Copies * bytes));
+  const FileSizes sizes = MeasureFiles(file);
+  const double unpacked = GetUnpackedBytes(file, static_cast<double>(sizes.Bytes));
+  const ReaderGuard guard(GetSeconds(sizes, Copies * bytes + unpacked),
+    static_cast<std::uintmax_t>(Copies * bytes + (GetEnding(file) == ".pvm" ? unpacked : 0.0)));
   const Listening listening(file);
   reader->Update();
   listening.Check();

@@ -58,18 +58,15 @@ std::uintmax_t LimitData(std::uintmax_t bytes)
 }
 } // namespace
 
-ReaderGuard::ReaderGuard(std::uintmax_t files, std::uintmax_t bytes)
+ReaderGuard::ReaderGuard(double seconds, std::uintmax_t bytes)
 {
   constexpr std::uintmax_t Spare = std::uintmax_t(100) << 20;
-  constexpr double SecondsPerFile = 0.005;
-  constexpr double BytesPerSecond = 4e6;
   std::cerr.flush();
   this->StandardError = dup(STDERR_FILENO);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   dup2(nowhere, STDERR_FILENO);
   close(nowhere);
-  LimitSeconds(1.0 + SecondsPerFile * static_cast<double>(files) +
-               static_cast<double>(bytes) / BytesPerSecond);
+  LimitSeconds(1.0 + seconds);
   SetReading(true);
   this->FormerLimit = LimitData(GetDataBytes() + Spare + bytes);
 }

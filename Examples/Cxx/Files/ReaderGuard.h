@@ -10,9 +10,9 @@
 class ReaderGuard
 {
 public:
-  /// @param files  that are to be opened
-  /// @param bytes  of memory, beyond a hundred MiB, that reading may take
-  ReaderGuard(std::uintmax_t files, std::uintmax_t bytes);
+  /// @param seconds  of the processor, beyond one, that reading may take
+  /// @param bytes  of memory, beyond a hundred MiB
+  ReaderGuard(double seconds, std::uintmax_t bytes);
   ~ReaderGuard();
   ReaderGuard(const ReaderGuard&) = delete;
   ReaderGuard& operator=(const ReaderGuard&) = delete;

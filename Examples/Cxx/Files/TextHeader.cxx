@@ -30,7 +30,7 @@ std::uintmax_t ToCount(double number)
 
 TextHeader::TextHeader(const std::string& file, char sign, const std::string& last) : File(file)
 {
-  constexpr std::size_t MostBytes = 1 << 16;
+  constexpr std::size_t MostBytes = 1 << 21;
   std::string bytes(MostBytes, '\0');
   std::ifstream stream(fs::u8path(file), std::ios::binary);
   stream.read(bytes.data(), MostBytes);

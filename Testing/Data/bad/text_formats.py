@@ -22,7 +22,7 @@ def nrrd():
         b"type: double\nendian: little\n"), ("magic_9999", "magic", b"NRRD9999\n"),
         ("skip_past_the_end", "encoding", b"encoding: raw\nbyte skip: 4000000\n"),
         ("skip_negative", "encoding", b"encoding: raw\nbyte skip: -400\n"),
-        ("lines_endless", "encoding", b"encoding: raw\n" + b"#\n" * MIB)]
+        ("lines_endless", "encoding", b"encoding: raw\n" + b"#\n" * (4 * MIB))]
     yield from edited("nrrd", ".nrrd", lines, SAMPLES, edits)
     plain = b"".join(line for _, line in lines)
     packed = plain.replace(b"raw", b"gzip")
@@ -68,7 +68,7 @@ def meta_image():
         ("data_file_pattern_missing", "file", b"ElementDataFile = no%03d.raw 1 6 1\n"),
         ("data_file_pattern_of_texts", "file", b"ElementDataFile = no%s%n.raw 1 6 1\n"),
         ("text_of_noise", "binary", b"BinaryData = False\n"),
-        ("line_endless", "binary", b"Comment = " + b"c" * MIB + b"\n")]
+        ("line_endless", "binary", b"Comment = " + b"c" * (4 * MIB) + b"\n")]
     yield from edited("meta", ".mha", lines, SAMPLES, edits)
     plain = b"".join(line for _, line in lines)
     packed = plain.replace(b"CompressedData = False", b"CompressedData = True")
