@@ -12,9 +12,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t MostToUnpack = std::uintmax_t(64) << 20;
-constexpr std::uintmax_t MostTimes = 1032; // https://zlib.net/zlib_tech.html, maximum compression
-constexpr int AnyHeader = 15 + 32;         // for inflateInit2: zlib's or gzip's
+constexpr int AnyHeader = 15 + 32; // for inflateInit2: zlib's or gzip's
 
 class Inflation
 {
@@ -75,7 +73,7 @@ std::uintmax_t CountUnpacked(const std::string& file, std::uintmax_t offset, std
   if (most > MostToUnpack)
   {
     const std::uintmax_t bytes = CountBytes(file, offset);
-    return bytes < most / MostTimes ? bytes * MostTimes : most;
+    return bytes < most / MostTimesUnpacked ? bytes * MostTimesUnpacked : most;
   }
   std::ifstream stream(fs::u8path(file), std::ios::binary);
   stream.seekg(static_cast<std::streamoff>(offset));

@@ -4,6 +4,12 @@
 #include <cstdint>
 #include <string>
 
+/// What deflate packs into a byte at best: https://zlib.net/zlib_tech.html, maximum compression.
+constexpr std::uintmax_t MostTimesUnpacked = 1032;
+
+/// Bytes that are unpacked to be counted, at most.
+constexpr std::uintmax_t MostToUnpack = std::uintmax_t(64) << 20;
+
 /// Unpacks what is in a file, gzip or zlib, from an offset on, and counts it. Stops where there are
 /// more than `most`, so that no file can make it long.
 /// @param most  bytes. Beyond 64 MiB it would take too long, and the file's own bytes answer: that

@@ -1,5 +1,6 @@
 #include "ReadVolume.h"
 
+#include "DataSize.h"
 #include "MakeReader.h"
 #include "ReaderGuard.h"
 
@@ -190,7 +191,7 @@ double CheckAnnouncement(vtkInformation* announced, const std::string& file)
   return bytes;
 }
 
-// Generous, for slow machines: what hangs is stopped all the same.
+// Of the processor, beyond a second, for so many bytes that are read. Generous, for slow machines.
 double GetSeconds(const FileSizes& sizes, double bytes)
 {
   constexpr double SecondsPerFile = 0.005;
@@ -199,22 +200,28 @@ double GetSeconds(const FileSizes& sizes, double bytes)
          (static_cast<double>(sizes.Bytes) + bytes) / BytesPerSecond;
 }
 
-// What is unpacked before the header is known, or to count it.
-double GetUnpackedBytes(const std::string& file, double bytes)
+// What a packed PVM takes before its header is known: of 16 bits all of it, which may be doubled
+// twice.
+double GetDecodedBytes(const std::string& file, const FileSizes& sizes)
 {
-  constexpr double MostTimes = 1032.0;
-  constexpr double MostToCount = 64.0 * 1024.0 * 1024.0;
-  constexpr double MostTimesOfPVM = 4.0 * 102.0;
-  return GetEnding(file) == ".pvm" ? MostTimesOfPVM * bytes
-                                   : std::min(MostTimes * bytes, MostToCount);
+  constexpr double MostTimes = 4.0 * 102.0;
+  return GetEnding(file) == ".pvm" ? MostTimes * static_cast<double>(sizes.Bytes) : 0.0;
+}
+
+// For counting what is packed.
+double GetSecondsToCount(const FileSizes& sizes)
+{
+  constexpr double BytesPerSecond = 64e6;
+  return static_cast<double>(std::min(MostTimesUnpacked * sizes.Bytes, MostToUnpack)) /
+         BytesPerSecond;
 }
 
 vtkSmartPointer<vtkAlgorithm> Open(const Options& options, double& bytes)
 {
   const FileSizes sizes = MeasureFiles(options.File);
-  const double unpacked = GetUnpackedBytes(options.File, static_cast<double>(sizes.Bytes));
-  const ReaderGuard guard(GetSeconds(sizes, unpacked),
-    GetEnding(options.File) == ".pvm" ? static_cast<std::uintmax_t>(unpacked) : 0);
+  const double decoded = GetDecodedBytes(options.File, sizes);
+  const ReaderGuard guard(
+    GetSeconds(sizes, decoded) + GetSecondsToCount(sizes), static_cast<std::uintmax_t>(decoded));
   const Listening listening(options.File);
   vtkSmartPointer<vtkAlgorithm> reader = MakeReader(options);
   listening.Check();
@@ -228,9 +235,8 @@ void Read(vtkAlgorithm* reader, const std::string& file, double bytes)
 {
   constexpr double Copies = 3.0; // that readers hold at the same time
   const FileSizes sizes = MeasureFiles(file);
-  const double unpacked = GetUnpackedBytes(file, static_cast<double>(sizes.Bytes));
-  const ReaderGuard guard(GetSeconds(sizes, Copies * bytes + unpacked),
-    static_cast<std::uintmax_t>(Copies * bytes + (GetEnding(file) == ".pvm" ? unpacked : 0.0)));
+  const double most = Copies * bytes + GetDecodedBytes(file, sizes);
+  const ReaderGuard guard(GetSeconds(sizes, most), static_cast<std::uintmax_t>(most));
   const Listening listening(file);
   reader->Update();
   listening.Check();
