@@ -64,6 +64,9 @@ public:
   {
     return this->Version == 1 ? this->Get<float>(76 + 4 * axis) : this->Get<double>(104 + 8 * axis);
   }
+  // Whether the quaternion is used, and whether the affine is.
+  bool HasQuaternion() const { return this->GetCode(this->Version == 1 ? 252 : 344) > 0; }
+  bool HasAffine() const { return this->GetCode(this->Version == 1 ? 254 : 348) > 0; }
   // The quaternion with its offset, and the three rows of the affine.
   double GetPlacing(std::size_t i) const
   {
@@ -71,6 +74,11 @@ public:
   }
 
 private:
+  int GetCode(std::size_t offset) const
+  {
+    return this->Version == 1 ? this->Get<std::int16_t>(offset) : this->Get<std::int32_t>(offset);
+  }
+
   bool Find(bool swapped)
   {
     this->Swapped = swapped;
@@ -139,15 +147,17 @@ double CountSamples(const Header& header)
 void CheckPlacing(const Header& header)
 {
   constexpr double Most = 1e12;
-  constexpr std::size_t Numbers = 18;
+  constexpr std::size_t OfQuaternion = 6;
+  constexpr std::size_t OfBoth = 18;
   bool isGood = true;
   for (std::size_t axis = 1; axis <= 3; ++axis)
   {
     isGood = isGood && std::abs(header.GetSpacing(axis)) <= Most; // false for NaN
   }
-  for (std::size_t i = 0; i < Numbers; ++i)
+  for (std::size_t i = 0; i < OfBoth; ++i)
   {
-    isGood = isGood && std::abs(header.GetPlacing(i)) <= Most;
+    const bool isUsed = i < OfQuaternion ? header.HasQuaternion() : header.HasAffine();
+    isGood = isGood && (!isUsed || std::abs(header.GetPlacing(i)) <= Most);
   }
   if (!isGood)
   {

@@ -50,12 +50,12 @@ def df3():
 
 
 def nifti1(dim=(3, *N, 1, 1, 1, 1), kind=2, bits=8, pixdim=(1.0,) * 8, offset=352.0,
-        magic=b"n+1\0", size=348, slope=1.0, affine=(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)):
+        magic=b"n+1\0", size=348, slope=1.0, affine=(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0), codes=(1, 1)):
     head = struct.pack("<i", size) + bytes(35) + b"\0" + struct.pack("<8h", *dim)
     head += struct.pack("<3fh", 0, 0, 0, 0) + struct.pack("<3h", kind, bits, 0)
     head += struct.pack("<8f", *pixdim) + struct.pack("<3f", offset, slope, 0.0)
     head += struct.pack("<h2B", 0, 0, 0) + struct.pack("<4f2i", 0, 0, 0, 0, 0, 0)
-    head += bytes(80 + 24) + struct.pack("<2h", 1, 1) + struct.pack("<6f", *[0] * 6)
+    head += bytes(80 + 24) + struct.pack("<2h", *codes) + struct.pack("<6f", *[0] * 6)
     head += struct.pack("<12f", *affine) + bytes(16) + magic
     assert len(head) == 348
     return head + bytes(4)

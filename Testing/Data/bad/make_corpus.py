@@ -33,6 +33,7 @@ def good_files():
     yield "good.df3", struct.pack(">3H", *N) + SAMPLES
     yield "good.nii", nifti1() + SAMPLES
     yield "good.nii.gz", pack(nifti1() + SAMPLES)
+    yield "good_unused_affine.nii", nifti1(affine=(float("nan"),) * 12, codes=(0, 0)) + SAMPLES
     yield "good_2.nii", nifti2((3, *N, 1, 1, 1, 1)) + SAMPLES
     for name, make, ending in (("nrrd", nrrd, ".nrrd"), ("meta", meta_image, ".mha"),
             ("vti", vti, ".vti"), ("legacy", legacy_vtk, ".vtk")):
