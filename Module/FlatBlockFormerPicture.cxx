@@ -7,6 +7,13 @@
 
 namespace flatblock
 {
+WindowPicture GetPictureOf(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  const int* size = window->GetSize();
+  return { window, { size[0], size[1] } };
+}
+
 void ShowFormerPicture(vtkRenderer* renderer, bool hasPicture)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());

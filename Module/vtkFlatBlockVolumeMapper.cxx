@@ -2,7 +2,6 @@
 
 #include "vtkFlatBlockVolumeMapperInternals.h"
 
-#include "FlatBlockFormerPicture.h"
 #include "Interruption.h"
 
 #include "vtkAlgorithm.h"
@@ -71,13 +70,18 @@ bool IsToAbort(vtkAlgorithm* mapper, vtkRenderer* renderer)
 void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& in = *this->Internals;
+  if (in.IsDrawing)
+  {
+    return; // called by an observer of a frame in another window, which needs all that is here
+  }
+  const flatblock::FlagScope drawing(in.IsDrawing);
   in.Statistics.UploadedBytes = 0;
   in.Statistics.MovedBytes = 0;
   in.Memory.ResetPeak();
   if (renderer->GetRenderWindow()->GetAbortRender()) // as by another volume
   {
-    in.WasGivenUp = true;
-    flatblock::ShowFormerPicture(renderer, in.HasPicture(renderer));
+    in.WasInterrupted = true;
+    in.KeepFormerPicture(renderer);
     return;
   }
   const flatblock::SelectorGuard guard(renderer->GetSelector());
@@ -87,23 +91,25 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     this->DrawFrame(renderer, volume);
     ++in.Frames;
-    in.WasGivenUp = false;
+    in.WasInterrupted = false;
     in.RememberPicture(renderer);
     in.LastError.clear();
     this->ReportProgress();
   }
   catch (const flatblock::Interrupted&)
   {
-    in.WasGivenUp = true;
-    flatblock::ShowFormerPicture(renderer, in.HasPicture(renderer));
+    in.WasInterrupted = true;
+    in.KeepFormerPicture(renderer);
   }
   catch (const std::bad_alloc&)
   {
-    flatblock::ShowFormerPicture(renderer, in.HasPicture(renderer));
+    in.WasInterrupted = false;
+    in.KeepFormerPicture(renderer);
     this->ReportOnce("There is not enough main memory for this frame; the former picture stays.");
   }
   catch (const std::exception& problem)
   {
+    in.WasInterrupted = false;
     in.DropBricks();
     if (in.Memory.GetBytes() > this->MaxMemoryInBytes)
     {
@@ -113,18 +119,25 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
 }
 
+// Of this window and of its size; pictures of selectors are not for people.
 void vtkFlatBlockVolumeMapper::vtkInternals::RememberPicture(vtkRenderer* renderer)
 {
-  const int* size = renderer->GetRenderWindow()->GetSize();
-  this->PictureSize = { size[0], size[1] };
+  if (!renderer->GetSelector())
+  {
+    this->Picture = flatblock::GetPictureOf(renderer);
+  }
 }
 
-// Of this window and of its size; pictures of selectors are not for people.
-bool vtkFlatBlockVolumeMapper::vtkInternals::HasPicture(vtkRenderer* renderer) const
+// Where there is none, what the window shows from now on is none of it.
+void vtkFlatBlockVolumeMapper::vtkInternals::KeepFormerPicture(vtkRenderer* renderer)
 {
-  const int* size = renderer->GetRenderWindow()->GetSize();
-  return renderer->GetRenderWindow() == this->Window && !renderer->GetSelector() &&
-         this->PictureSize == std::array<int, 2>{ size[0], size[1] };
+  const bool hasPicture =
+    !renderer->GetSelector() && this->Picture == flatblock::GetPictureOf(renderer);
+  flatblock::ShowFormerPicture(renderer, hasPicture);
+  if (!hasPicture && !renderer->GetSelector())
+  {
+    this->Picture = {};
+  }
 }
 
 // What is there may be more than the limit now, or may have come in part.
@@ -134,14 +147,21 @@ void vtkFlatBlockVolumeMapper::vtkInternals::DropBricks()
   this->Atlas->ReleaseGraphicsResources(this->Window);
 }
 
-// Once, not once a frame.
+// Once, not once a frame; and in the next one, where not even this finds memory.
 void vtkFlatBlockVolumeMapper::ReportOnce(const char* error)
 {
   std::string& last = this->Internals->LastError;
-  if (last != error)
+  try
   {
-    last = error;
-    vtkErrorMacro(<< error);
+    if (last != error)
+    {
+      vtkErrorMacro(<< error);
+      last = error;
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    last.clear();
   }
 }
 
@@ -169,8 +189,13 @@ double* vtkFlatBlockVolumeMapper::GetBounds()
 bool vtkFlatBlockVolumeMapper::GetConverged() const
 {
   const vtkInternals& in = *this->Internals;
-  return in.Frames > 0 && !in.WasGivenUp && in.LastError.empty() && in.IsDistortionCurrent &&
+  return in.Frames > 0 && !in.WasInterrupted && in.LastError.empty() && in.IsDistortionCurrent &&
          in.Residency.GetLevels() == in.Levels->GetLevels();
+}
+
+bool vtkFlatBlockVolumeMapper::GetInterrupted() const
+{
+  return this->Internals->WasInterrupted;
 }
 
 // Once more when it is done, and then no more.
@@ -234,8 +259,13 @@ void vtkFlatBlockVolumeMapper::GetDepthImage(vtkImageData* image)
   this->Internals->RayCaster->GetImages(nullptr, image);
 }
 
+// Of the window that it was drawn in; where others are lost, nothing of this is.
 void vtkFlatBlockVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (window && this->Internals->Window && window != this->Internals->Window)
+  {
+    return;
+  }
   this->Internals->Atlas->ReleaseGraphicsResources(window);
   this->Internals->RayCaster->ReleaseGraphicsResources(window);
   this->Internals->CardLimit = {};

@@ -243,11 +243,15 @@ public:
   vtkBooleanMacro(ProgressiveStills, bool);
   ///@}
 
+  ///@{
   /**
    * Whether the last frame showed every block at the level that is wanted; false before the first.
-   * Frames that don't send a ProgressEvent with the share of the visible blocks that do.
+   * Frames that don't send a ProgressEvent with the share of the visible blocks that do. Whether it
+   * was given up by a wish, so that the window shows its former picture.
    */
   bool GetConverged() const;
+  bool GetInterrupted() const;
+  ///@}
 
   /**
    * Renders the window until this mapper, which draws in it, has converged; stops where the window
@@ -330,18 +334,14 @@ public:
   /// Prints all these.
   void PrintStatistics(ostream& os);
 
-  /**
-   * Bounds of the input in data set coordinates; uninitialized where they are not finite.
-   */
+  /// Bounds of the input in data set coordinates; uninitialized where they are not finite.
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
 
   /// Draws the volume. Called by vtkVolume.
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
-  /**
-   * Gives back everything on the graphics card. The next render starts anew, in any window.
-   */
+  /// Gives back everything on the graphics card. The next render starts anew, in any window.
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

@@ -29,14 +29,16 @@ void vtkFlatBlockVolumeMapper::vtkInternals::SetChannels(
   if (this->Channels.size() != count || this->AreIndependent != components.AreIndependent ||
       this->HasSecondArray != hasSecond || (this->Mask != nullptr) != (input.Mask != nullptr))
   {
-    this->Residency.Clear(); // of bricks that nobody knows any more
-    this->Channels.clear();
-    this->Mask = input.Mask ? std::make_unique<flatblock::MaskChannel>() : nullptr;
-    this->Interleaved.reset();
+    auto mask = input.Mask ? std::make_unique<flatblock::MaskChannel>() : nullptr;
+    std::vector<std::unique_ptr<flatblock::Channel>> channels;
     for (std::size_t i = 0; i < count; ++i)
     {
-      this->Channels.push_back(std::make_unique<flatblock::Channel>());
+      channels.push_back(std::make_unique<flatblock::Channel>());
     }
+    this->Residency.Clear(); // of bricks that nobody knows any more
+    this->Interleaved.reset();
+    this->Mask = std::move(mask); // nothing from here on fails
+    this->Channels.swap(channels);
     this->AreIndependent = components.AreIndependent;
     this->HasSecondArray = hasSecond;
   }

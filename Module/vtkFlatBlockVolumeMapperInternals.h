@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ComponentTable.h"
+#include "FlatBlockFormerPicture.h"
 #include "FlatBlockSelection.h"
 #include "FlatBlockVolumeInput.h"
 #include "FlatBlockVolumeView.h"
@@ -83,6 +84,19 @@ struct MaskChannel
   std::vector<std::unique_ptr<Label>> Labels;
 };
 
+/// Sets a flag until it goes out of scope.
+class FlagScope
+{
+public:
+  explicit FlagScope(bool& flag) : Flag(flag) { this->Flag = true; }
+  ~FlagScope() { this->Flag = false; }
+  FlagScope(const FlagScope&) = delete;
+  void operator=(const FlagScope&) = delete;
+
+private:
+  bool& Flag;
+};
+
 /// Adds the time until it goes out of scope.
 class StageTimer
 {
@@ -115,7 +129,7 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
 
   void DropBricks();
   void RememberPicture(vtkRenderer* renderer);
-  bool HasPicture(vtkRenderer* renderer) const;
+  void KeepFormerPicture(vtkRenderer* renderer);
   void SetChannels(const flatblock::VolumeInput& input, vtkVolumeProperty* property);
   void SetLabels(vtkVolumeProperty* property);
   bool IsPlain() const { return this->Channels.size() == 1 && !this->Mask; }
@@ -181,8 +195,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkTimeStamp TransmittanceTime;
   flatblock::VolumeView TransmittanceView; // only compared with
   flatblock::FrameStatistics Statistics;
-  vtkTypeInt64 Frames = 0; // drawn so far
-  std::array<int, 2> PictureSize = { 0, 0 };
+  vtkTypeInt64 Frames = 0;          // drawn so far
+  flatblock::WindowPicture Picture; // the former one
   vtkTypeInt64 LastAtlasBytes = 0;
   flatblock::CardLimit CardLimit;
   std::string LastError;
@@ -193,7 +207,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   bool AreIndependent = false;
   bool HasSecondArray = false; // the last channel has the rows of 2D functions
   bool AreBrickRangesCurrent = false;
-  bool WasGivenUp = false; // by the last frame
+  bool IsDrawing = false;
+  bool WasInterrupted = false; // the last frame
   bool WasConverged = true;
   bool IsDistortionCurrent = true; // or not asked for
   bool HasCudaFailed = false;

@@ -40,6 +40,25 @@ struct ViewportBox
   int Size[2] = { 0, 0 };
   int Origin[2] = { 0, 0 };
 };
+
+// In its end, what was drawn to before Begin() is drawn to again; also where memory is short.
+class FormerTarget
+{
+public:
+  FormerTarget(vtkOpenGLState* state, const int* viewport) : State(state), Viewport(viewport) {}
+  ~FormerTarget()
+  {
+    const int* v = this->Viewport;
+    this->State->PopFramebufferBindings();
+    this->State->vtkglViewport(v[0], v[1], v[2], v[3]);
+  }
+  FormerTarget(const FormerTarget&) = delete;
+  FormerTarget& operator=(const FormerTarget&) = delete;
+
+private:
+  vtkOpenGLState* State;
+  const int* Viewport;
+};
 } // namespace
 
 vtkOpenGLFlatBlockRayImage::vtkOpenGLFlatBlockRayImage() = default;
@@ -118,6 +137,7 @@ void vtkOpenGLFlatBlockRayImage::Begin(vtkRenderer* renderer, double pixelsPerRa
 
 void vtkOpenGLFlatBlockRayImage::End(bool keepsImages)
 {
+  const FormerTarget target(this->Framebuffer->GetContext()->GetState(), this->Viewport);
   this->RayCounts = {};
   if (keepsImages)
   {
@@ -127,9 +147,6 @@ void vtkOpenGLFlatBlockRayImage::End(bool keepsImages)
   {
     this->CountRays();
   }
-  vtkOpenGLState* state = this->Framebuffer->GetContext()->GetState();
-  state->PopFramebufferBindings();
-  state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
 }
 
 void vtkOpenGLFlatBlockRayImage::CountRays()

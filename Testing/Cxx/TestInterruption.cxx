@@ -152,6 +152,7 @@ TEST_P(Interruption, EndsWithinMilliseconds)
     longest = std::max(longest, taken);
     EXPECT_LT(taken, MostMilliseconds) << "after " << stopper.After;
     EXPECT_EQ(LargestDifference(before, Shown(this->Current)), 0.0) << "after " << stopper.After;
+    EXPECT_TRUE(this->Current.Mapper->GetInterrupted());
   }
   EXPECT_GT(stopped, 4);
   RecordProperty("Milliseconds", static_cast<int>(longest));
@@ -166,6 +167,7 @@ TEST_P(Interruption, EndsWithinMilliseconds)
   fresh.Renderer->ResetCameraClippingRange();
   this->Current.Renderer->ResetCameraClippingRange();
   ASSERT_TRUE(ShowsSomething(picture));
+  EXPECT_FALSE(this->Current.Mapper->GetInterrupted());
   EXPECT_EQ(LargestDifference(fresh.Draw(), this->Current.Draw()), 0.0);
 }
 
@@ -188,6 +190,60 @@ TEST_P(Interruption, KeepsWhatIsDone)
   } while (!this->Current.Mapper->GetConverged() && frames < 100);
   EXPECT_TRUE(this->Current.Mapper->GetConverged());
   EXPECT_TRUE(ShowsSomething(Shown(this->Current)));
+}
+
+// What a window shows after a size of which there was no whole picture is none of it.
+TEST_P(Interruption, ForgetsPicturesOfOtherSizes)
+{
+  Prepare(this->Current, MakeWaves());
+  this->Current.Renderer->SetBackground(0.2, 0.4, 0.6);
+  this->Current.Draw();
+  const int* former = this->Current.Window->GetSize();
+  const int size[2] = { former[0], former[1] };
+  Stopper stopper;
+  this->Listen(stopper);
+  for (const int side : { size[0] / 2, size[0] })
+  {
+    this->Current.Window->SetSize(side, side);
+    this->Current.Mapper->SetInputData(MakeNoise(160));
+    stopper.After = 2.0;
+    ASSERT_GE(stopper.Draw(this->Current.Window), 0.0);
+  }
+  const auto shown = Shown(this->Current);
+  this->Current.Volume->VisibilityOff();
+  stopper.After = 1e9;
+  EXPECT_EQ(LargestDifference(shown, this->Current.Draw()), 0.0);
+}
+
+// Observers may draw other windows, even such as show the mapper that is about to draw this one.
+TEST_P(Interruption, ObserversMayDrawOtherWindows)
+{
+  const auto noise = MakeNoise(160);
+  Prepare(this->Current, noise);
+  this->Current.Mapper->SetMaxMemoryInBytes(vtkTypeInt64(8) << 20);
+  this->Current.Mapper->SetSelectionCriterionToDistortion();
+  const auto before = this->Current.Draw();
+  {
+    Scene other;
+    Prepare(other, MakeWaves());
+    vtkNew<vtkVolume> same;
+    same->SetMapper(this->Current.Mapper);
+    same->SetProperty(this->Current.Property);
+    other.Renderer->AddVolume(same);
+    Stopper stopper;
+    this->Listen(stopper);
+    stopper.Wish = [&] { other.Window->Render(); };
+    stopper.After = 30.0;
+    this->Current.Mapper->SetInputData(MakeNoise(160));
+    ASSERT_GE(stopper.Draw(this->Current.Window), 0.0);
+    EXPECT_FALSE(this->Current.Mapper->GetInterrupted());
+    EXPECT_TRUE(this->Current.Mapper->GetConverged());
+    EXPECT_EQ(LargestDifference(before, Shown(this->Current)), 0.0);
+    EXPECT_TRUE(ShowsSomething(Shown(other)));
+    this->Current.Window->RemoveObservers(vtkCommand::AbortCheckEvent);
+    this->Current.Mapper->RemoveObservers(vtkCommand::ProgressEvent);
+  }
+  EXPECT_EQ(LargestDifference(before, this->Current.Draw()), 0.0);
 }
 
 TEST_P(Interruption, OfOneVolumeIsThatOfTheFrame)

@@ -66,7 +66,10 @@ int vtkFlatBlockStatus::GetConverged()
   const auto& mappers = this->Pieces->GetMappers();
   return std::all_of(mappers.begin(), mappers.end(),
            [](vtkFlatBlockVolumeMapper* mapper)
-           { return mapper->GetConverged() || mapper->GetNumberOfPendingChanges() == 0; })
+           {
+             return mapper->GetConverged() ||
+                    (!mapper->GetInterrupted() && mapper->GetNumberOfPendingChanges() == 0);
+           })
            ? 1
            : 0;
 }
