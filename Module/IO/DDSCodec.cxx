@@ -39,12 +39,15 @@ public:
   {
   }
 
+  void Skip(int width)
+  {
+    this->Check(width);
+    this->Next += static_cast<std::uint64_t>(width);
+  }
+
   int Read(int width)
   {
-    if (this->Next + static_cast<std::uint64_t>(width) > this->Bits)
-    {
-      throw FormatError(this->Bits / 8, "the compressed stream ends early.");
-    }
+    this->Check(width);
     int value = 0;
     for (int i = 0; i < width; ++i, ++this->Next)
     {
@@ -54,6 +57,14 @@ public:
   }
 
 private:
+  void Check(int width) const
+  {
+    if (this->Next + static_cast<std::uint64_t>(width) > this->Bits)
+    {
+      throw FormatError(this->Bits / 8, "the compressed stream ends early.");
+    }
+  }
+
   const std::uint8_t* Bytes;
   std::uint64_t Bits;
   std::uint64_t Next;
@@ -82,24 +93,89 @@ private:
   int Used = 0; // bits of the last byte
 };
 
-// What a byte is expected to be, by those before it.
-int PredictByte(const std::vector<std::uint8_t>& bytes, std::size_t i, std::size_t strip)
+// What byte i is expected to be, where former(n) is the one n before it.
+template <typename Former>
+int PredictByte(std::uint64_t i, std::uint64_t strip, const Former& former)
 {
-  const int before = i > 0 ? bytes[i - 1] : 0;
-  return strip == 1 || i <= strip ? before : before + bytes[i - strip] - bytes[i - strip - 1];
+  const int before = i > 0 ? former(1) : 0;
+  return strip == 1 || i <= strip ? before : before + former(strip) - former(strip + 1);
 }
 
-// Calls move(sorted place, place) for all bytes.
-template <typename Move>
-void ForPlaces(std::size_t count, std::size_t skip, std::size_t part, const Move& move)
+// The bytes of a stream, as they are sorted there. Knows no more of them than the next one needs.
+class ByteReader
 {
-  for (std::size_t first = 0; first < count; first += part)
+public:
+  ByteReader(const std::uint8_t* bytes, std::size_t count) : Bits(bytes, count, WholeMagic.size())
   {
-    const std::size_t end = std::min(count, first + part);
-    std::size_t sorted = first;
-    for (std::size_t i = 0; i < skip; ++i)
+    this->Skip = static_cast<std::size_t>(this->Bits.Read(2)) + 1;
+    this->Strip = static_cast<std::size_t>(this->Bits.Read(16)) + 1;
+  }
+
+  std::size_t GetSkip() const { return this->Skip; }
+
+  // All that are left.
+  std::uint64_t Count()
+  {
+    std::uint64_t count = 0;
+    while (this->BeginRun())
     {
-      for (std::size_t place = first + i; place < end; place += skip)
+      count += this->Run;
+      this->Bits.Skip(this->Run * this->Width);
+    }
+    return count;
+  }
+
+  // The next one; to be asked no more often than there are bytes.
+  std::uint8_t Read()
+  {
+    if (this->Run == 0)
+    {
+      this->BeginRun();
+    }
+    --this->Run;
+    const int difference = this->Bits.Read(this->Width) - (1 << this->Width) / 2;
+    const int predicted = PredictByte(this->Next, this->Strip,
+      [this](std::uint64_t back) { return this->Former[(this->Next - back) % Window]; });
+    const auto byte = static_cast<std::uint8_t>(predicted + difference);
+    this->Former[this->Next++ % Window] = byte;
+    return byte;
+  }
+
+private:
+  bool BeginRun()
+  {
+    this->Run = this->Bits.Read(CountBits);
+    this->Width = this->Run > 0 ? WidthOf(this->Bits.Read(WidthBits)) : 0;
+    return this->Run > 0;
+  }
+
+  BitReader Bits;
+  static constexpr std::size_t Window = std::size_t(1) << 17; // more than the longest strip
+  std::vector<std::uint8_t> Former = std::vector<std::uint8_t>(Window);
+  std::size_t Skip = 1;
+  std::size_t Strip = 1;
+  std::uint64_t Next = 0; // byte
+  int Run = 0;            // bytes left of it
+  int Width = 0;
+};
+
+// Bytes that are sorted together.
+std::uint64_t GetPart(bool hasParts, std::uint64_t skip, std::uint64_t total)
+{
+  return skip == 1 ? 1 : hasParts ? skip * Part : std::max<std::uint64_t>(total, 1);
+}
+
+// Calls move(sorted place, place) for all bytes, in the order of sorted places.
+template <typename Move>
+void ForPlaces(std::uint64_t count, std::uint64_t skip, std::uint64_t part, const Move& move)
+{
+  for (std::uint64_t first = 0; first < count; first += part)
+  {
+    const std::uint64_t end = std::min(count, first + part);
+    std::uint64_t sorted = first;
+    for (std::uint64_t i = 0; i < skip; ++i)
+    {
+      for (std::uint64_t place = first + i; place < end; place += skip)
       {
         move(sorted++, place);
       }
@@ -124,36 +200,30 @@ bool IsDDS(const std::uint8_t* bytes, std::size_t count)
   return StartsWith(bytes, count, WholeMagic) || StartsWith(bytes, count, PartsMagic);
 }
 
+std::uint64_t CountDDS(const std::uint8_t* bytes, std::size_t count)
+{
+  return ByteReader(bytes, count).Count();
+}
+
 std::vector<std::uint8_t> DecodeDDS(const std::uint8_t* bytes, std::size_t count, std::size_t most)
 {
-  BitReader bits(bytes, count, WholeMagic.size());
-  const auto skip = static_cast<std::size_t>(bits.Read(2)) + 1;
-  const auto strip = static_cast<std::size_t>(bits.Read(16)) + 1;
-  std::vector<std::uint8_t> decoded;
-  while (skip > 1 || decoded.size() < most)
-  {
-    const int run = bits.Read(CountBits);
-    if (run == 0)
+  const std::uint64_t total = CountDDS(bytes, count);
+  ByteReader reader(bytes, count);
+  const std::uint64_t skip = reader.GetSkip();
+  const std::uint64_t part = GetPart(StartsWith(bytes, count, PartsMagic), skip, total);
+  const std::uint64_t wanted = std::min<std::uint64_t>(most, total);
+  std::vector<std::uint8_t> decoded(wanted);
+  // Parts after the last that is wanted are left.
+  ForPlaces(std::min(total, (wanted + part - 1) / part * part), skip, part,
+    [&](std::uint64_t, std::uint64_t place)
     {
-      break;
-    }
-    const int width = WidthOf(bits.Read(WidthBits));
-    for (int i = 0; i < run; ++i)
-    {
-      const int difference = bits.Read(width) - (1 << width) / 2;
-      decoded.push_back(
-        static_cast<std::uint8_t>(PredictByte(decoded, decoded.size(), strip) + difference));
-    }
-  }
-  if (skip == 1)
-  {
-    return decoded;
-  }
-  std::vector<std::uint8_t> unsorted(decoded.size());
-  const bool hasParts = StartsWith(bytes, count, PartsMagic);
-  ForPlaces(decoded.size(), skip, hasParts ? skip * Part : std::max<std::size_t>(decoded.size(), 1),
-    [&](std::size_t from, std::size_t to) { unsorted[to] = decoded[from]; });
-  return unsorted;
+      const std::uint8_t byte = reader.Read();
+      if (place < wanted)
+      {
+        decoded[place] = byte;
+      }
+    });
+  return decoded;
 }
 
 std::vector<std::uint8_t> EncodeDDS(const std::vector<std::uint8_t>& bytes, int skip, int strip)
@@ -161,8 +231,8 @@ std::vector<std::uint8_t> EncodeDDS(const std::vector<std::uint8_t>& bytes, int 
   const bool hasParts = bytes.size() > Part;
   const auto step = static_cast<std::size_t>(skip);
   std::vector<std::uint8_t> sorted(bytes.size());
-  ForPlaces(bytes.size(), step, hasParts ? step * Part : std::max<std::size_t>(bytes.size(), 1),
-    [&](std::size_t to, std::size_t from) { sorted[to] = bytes[from]; });
+  ForPlaces(bytes.size(), step, GetPart(hasParts, step, bytes.size()),
+    [&](std::uint64_t to, std::uint64_t from) { sorted[to] = bytes[from]; });
   const std::string_view magic = hasParts ? PartsMagic : WholeMagic;
   std::vector<std::uint8_t> encoded(magic.begin(), magic.end());
   BitWriter bits(encoded);
@@ -173,7 +243,8 @@ std::vector<std::uint8_t> EncodeDDS(const std::vector<std::uint8_t>& bytes, int 
   for (std::size_t i = 0; i < sorted.size(); ++i)
   {
     differences[i] =
-      static_cast<std::int8_t>(sorted[i] - PredictByte(sorted, i, static_cast<std::size_t>(strip)));
+      static_cast<std::int8_t>(sorted[i] - PredictByte(i, static_cast<std::uint64_t>(strip),
+                                             [&](std::uint64_t back) { return sorted[i - back]; }));
   }
   for (std::size_t first = 0; first < differences.size();)
   {

@@ -16,7 +16,13 @@ namespace flatblock
 /// none ends it. Bytes are sorted by their place among `skip`, in v3e in parts of 2^24 times skip.
 bool IsDDS(const std::uint8_t* bytes, std::size_t count);
 
-/// @param most  bytes that are decoded, but for those that are sorted, which must be all
+/// Bytes of a whole stream, once it is decoded; at most 127 in 10 bits. Takes no memory.
+/// @throws FormatError  where the stream ends early
+std::uint64_t CountDDS(const std::uint8_t* bytes, std::size_t count);
+
+/// The first bytes of a whole stream.
+/// @param most  bytes that are decoded. Where they are sorted, more are gone through to find them,
+///   but not kept.
 /// @throws FormatError  where the stream ends early
 std::vector<std::uint8_t> DecodeDDS(const std::uint8_t* bytes, std::size_t count, std::size_t most);
 

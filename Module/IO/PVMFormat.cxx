@@ -12,6 +12,15 @@ namespace
 {
 constexpr int MostSamples = 1 << 24; // along an axis
 
+// The beginning of a line, as text that no terminal obeys.
+std::string Quote(const std::string& line)
+{
+  std::string quoted = line.substr(0, 40);
+  std::replace_if(
+    quoted.begin(), quoted.end(), [](unsigned char c) { return c < 0x20 || c > 0x7e; }, '?');
+  return "'" + quoted + "'";
+}
+
 // The lines of a header, one by one.
 class Lines
 {
@@ -53,7 +62,7 @@ public:
     std::string rest;
     if (!text || text >> rest)
     {
-      throw FormatError(this->First, "'" + line.substr(0, 40) + "' is not " + expected + ".");
+      throw FormatError(this->First, Quote(line) + " is not " + expected + ".");
     }
     return numbers;
   }

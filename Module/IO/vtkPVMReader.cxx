@@ -28,16 +28,14 @@ struct Header
   bool IsCompressed = false;
 };
 
-// A stream has at most 127 bytes in 10 bits.
-void CheckStream(const flatblock::PVMFormat& format, std::uintmax_t streamBytes)
+// Of a stream that is not decoded yet.
+void CheckStream(const flatblock::PVMFormat& format, const std::vector<std::uint8_t>& stream)
 {
-  constexpr std::uintmax_t MostBytesAByte = 102;
-  const std::uintmax_t wanted = flatblock::CountBytes(format);
-  if (wanted > MostBytesAByte * streamBytes)
+  const std::uintmax_t total = flatblock::CountDDS(stream.data(), stream.size());
+  const std::uintmax_t end = format.Offset + flatblock::CountBytes(format);
+  if (total < end || total > end + MostRest)
   {
-    throw flatblock::FormatError(0, "the header asks for " + std::to_string(wanted) +
-                                      " bytes of samples, more than a stream of " +
-                                      std::to_string(streamBytes) + " bytes can hold.");
+    flatblock::CheckPVMSize(format, total, {});
   }
 }
 
@@ -58,8 +56,20 @@ Header ReadHeader(const std::string& file)
   const std::vector<std::uint8_t> decoded =
     flatblock::DecodeDDS(bytes.data(), bytes.size(), flatblock::MostPVMHeaderBytes);
   header.Format = flatblock::ParsePVM(decoded.data(), decoded.size());
-  CheckStream(header.Format, size);
+  CheckStream(header.Format, bytes);
   return header;
+}
+
+// The file may be another one by now than when its extent was asked for.
+void CheckExtent(const flatblock::PVMFormat& format, const int extent[6])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (extent[2 * axis] < 0 || extent[2 * axis + 1] >= format.Samples[axis])
+    {
+      throw std::runtime_error("it has fewer samples than before.");
+    }
+  }
 }
 
 template <typename T>
@@ -177,6 +187,11 @@ void vtkPVMReader::Decode(vtkDataObject* output, vtkInformation* info)
   vtkImageData* image = this->AllocateOutputData(output, info);
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   scalars->SetName("ImageFile"); // as the superclass calls those that it reads
+  CheckExtent(format, image->GetExtent());
+  if (scalars->GetDataTypeSize() != format.BytesPerSample)
+  {
+    throw std::runtime_error("its samples are of another size than before.");
+  }
   const std::uint8_t* samples = decoded.data() + format.Offset;
   if (format.BytesPerSample == 1)
   {

@@ -141,7 +141,9 @@ class FilesTest(unittest.TestCase):
 
     def fails(self, reader, words):
         self.assertEqual(reader.CanReadFile(self.file), 0)
-        image = self.read(reader)
+        self.has_failed(reader, self.read(reader), words)
+
+    def has_failed(self, reader, image, words):
         text = self.window.GetOutput()
         self.window = vtkStringOutputWindow()
         vtkOutputWindow.SetInstance(self.window)
@@ -184,6 +186,17 @@ class FilesTest(unittest.TestCase):
             self.write(content)
             with self.subTest(content):
                 self.fails(vtkPVMReader(), words)
+
+    def test_files_exchanged_while_they_are_read(self):
+        for samples, words in ((numpy.zeros((9, 8, 7), "uint8"), "fewer samples than before"),
+                (numpy.zeros((9, 9, 9), "uint16"), "of another size than before")):
+            self.check_round_trip(vtkPVMWriter(), vtkPVMReader(), numpy.zeros((9, 9, 9), "uint8"))
+            reader = vtkPVMReader()
+            reader.SetFileName(self.file)
+            reader.UpdateInformation()
+            self.check_round_trip(vtkPVMWriter(), vtkPVMReader(), samples)
+            reader.Update()
+            self.has_failed(reader, reader.GetOutput(), words)
 
     def test_no_file(self):
         for kind in (vtkPVMReader, vtkDF3Reader):

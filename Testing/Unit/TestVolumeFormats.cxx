@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <random>
 #include <string>
@@ -61,10 +62,20 @@ TEST(DDSCodec, DecodesWhatItEncodes)
 
 TEST(DDSCodec, DecodesNoMoreThanIsAskedFor)
 {
-  const std::vector<std::uint8_t> bytes(100000, 7);
-  const std::vector<std::uint8_t> encoded = EncodeDDS(bytes, 1, 1);
-  EXPECT_LT(encoded.size(), 1100U);
-  EXPECT_LT(DecodeDDS(encoded.data(), encoded.size(), 1000).size(), 1200U);
+  std::vector<std::uint8_t> bytes(100001, 7);
+  std::fill_n(bytes.begin(), 50000, std::uint8_t(3));
+  for (const int skip : { 1, 2, 3 })
+  {
+    const std::vector<std::uint8_t> encoded = EncodeDDS(bytes, skip, 1);
+    EXPECT_LT(encoded.size(), 1100U);
+    EXPECT_EQ(CountDDS(encoded.data(), encoded.size()), bytes.size());
+    for (const std::size_t most : { 0, 1, 1000, 50001, 100001, 200000 })
+    {
+      const std::vector<std::uint8_t> first(
+        bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(most, bytes.size())));
+      EXPECT_EQ(DecodeDDS(encoded.data(), encoded.size(), most), first);
+    }
+  }
 }
 
 TEST(DDSCodec, TellsWhereAStreamEnds)

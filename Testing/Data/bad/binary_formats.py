@@ -30,6 +30,9 @@ def pvm():
             for fill in (0, 255, 0x5A):
                 yield "dds_%c_%d_of_%02x.pvm" % (magic[6], length, fill), magic + bytes(
                     [fill]) * length
+        # Samples of two bytes, in runs of 127 that need no bits.
+        runs = "01" + 16 * "0" + 800000 * "1111111000" + 14 * "0"
+        yield "dds_%c_of_100_MB.pvm" % magic[6], magic + int(runs, 2).to_bytes(len(runs) // 8, "big")
 
 
 def df3():
@@ -117,6 +120,7 @@ def nifti():
     yield "nifti_gzip_other_sum.nii.gz", packed[:-8] + bytes(4) + packed[-4:]
     yield "nifti_trailing.nii.gz", pack(good + b"more")
     yield "nifti_gzip_twice.nii.gz", pack(packed)
+    yield "nifti_gzip_padded_with_more.nii.gz", packed + bytes(99) + b"more"
     yield from bombs("nifti", ".nii.gz", good)
 
 
