@@ -35,6 +35,26 @@ namespace
 {
 constexpr double MiB = 1024.0 * 1024.0;
 
+// What files say is told as text that no terminal obeys, and of which a screen shows all.
+std::string ToLine(const std::string& text)
+{
+  constexpr std::size_t MostBytes = 1000;
+  std::string line = text;
+  for (std::size_t i = 0; i < line.size(); ++i)
+  {
+    const auto byte = static_cast<unsigned char>(line[i]);
+    const auto former = static_cast<unsigned char>(i > 0 ? line[i - 1] : 0);
+    const bool isControl = byte < 0x20 || byte == 0x7f || (former == 0xc2 && byte < 0xa0);
+    line[i] = byte == '\n' ? ' ' : (isControl ? '?' : line[i]);
+  }
+  return line.size() > MostBytes ? line.substr(0, MostBytes) + "..." : line;
+}
+
+void Say(const std::string& text)
+{
+  std::cerr << "FlatBlockView: " << ToLine(text) << std::endl;
+}
+
 // What VTK says, each on a line.
 class Messages : public vtkOutputWindow
 {
@@ -44,10 +64,7 @@ public:
   void DisplayErrorText(const char* text) override { this->DisplayText(text); }
   void DisplayWarningText(const char* text) override { this->DisplayText(text); }
   void DisplayGenericWarningText(const char* text) override { this->DisplayText(text); }
-  void DisplayText(const char* text) override
-  {
-    std::cerr << "FlatBlockView: " << StripError(text) << std::endl;
-  }
+  void DisplayText(const char* text) override { Say(StripError(text)); }
 };
 vtkStandardNewMacro(Messages);
 
@@ -246,7 +263,7 @@ int Draw(const Options& options)
   }
   catch (const std::exception& problem)
   {
-    std::cerr << "FlatBlockView: " << problem.what() << "\n";
+    Say(problem.what());
     return 1;
   }
   return 0;
@@ -258,10 +275,9 @@ int SayHowItDied(const Options& options, int signal, bool wasReading)
   {
     return 1; // as a person wished
   }
-  std::cerr << "FlatBlockView: '" << options.File << "' could not be "
-            << (wasReading ? "read: VTK's reader " : "drawn: the program ")
-            << (signal == SIGPROF ? "came to no end" : "crashed") << " (" << strsignal(signal)
-            << ").\n";
+  Say("'" + options.File + "' could not be " +
+      (wasReading ? "read: VTK's reader " : "drawn: the program ") +
+      (signal == SIGPROF ? "came to no end" : "crashed") + " (" + strsignal(signal) + ").");
   return 1;
 }
 } // namespace
@@ -275,7 +291,7 @@ int main(int argc, char* argv[])
   }
   catch (const std::exception& problem)
   {
-    std::cerr << "FlatBlockView: " << problem.what() << "\n";
+    Say(problem.what());
     return 1;
   }
   if (options.Help)

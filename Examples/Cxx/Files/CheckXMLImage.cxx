@@ -75,15 +75,36 @@ double ReadBlockSize(const AppendedData& appended, std::uintmax_t position)
   return static_cast<double>(size) <= rest ? static_cast<double>(size) : -1.0;
 }
 
+bool HasNumbers(vtkXMLDataElement* array, int& type)
+{
+  const char* name = array->GetAttribute("type");
+  return name && std::strcmp(name, "String") != 0 && array->GetWordTypeAttribute("type", type) &&
+         vtkDataArray::GetDataTypeSize(type) >= 1;
+}
+
+// Of texts there may be arrays beside those that can be drawn.
+bool IsBeside(vtkXMLDataElement* array, vtkXMLDataElement* data)
+{
+  const char* name = array->GetAttribute("Name");
+  const char* scalars = data->GetAttribute("Scalars");
+  const char* type = array->GetAttribute("type");
+  const bool isText = type && (std::strcmp(type, "String") == 0 || std::strcmp(type, "Bit") == 0);
+  int found = 0;
+  bool hasOthers = false;
+  for (int i = 0; i < data->GetNumberOfNestedElements(); ++i)
+  {
+    hasOthers = hasOthers || HasNumbers(data->GetNestedElement(i), found);
+  }
+  return isText && hasOthers && !(name && scalars && std::strcmp(name, scalars) == 0);
+}
+
 std::string CheckArray(vtkXMLDataElement* array, double samples, const AppendedData& appended)
 {
   const char* name = array->GetAttribute("Name");
   const std::string of = std::string(" of array '") + (name ? name : "") + "'";
   int type = 0;
   int components = 1;
-  const char* typeName = array->GetAttribute("type");
-  if (!array->GetWordTypeAttribute("type", type) || vtkDataArray::GetDataTypeSize(type) < 1 ||
-      (typeName && std::strcmp(typeName, "String") == 0))
+  if (!HasNumbers(array, type))
   {
     return "the type" + of + " is none of numbers.";
   }
@@ -108,9 +129,21 @@ std::string CheckArray(vtkXMLDataElement* array, double samples, const AppendedD
   return {};
 }
 
+// As parallel writers leave them where a process has none of the image.
+bool IsEmpty(vtkXMLDataElement* piece)
+{
+  int numbers[6];
+  return piece->GetVectorAttribute("Extent", 6, numbers) == 6 && numbers[1] == numbers[0] - 1 &&
+         numbers[3] == numbers[2] - 1 && numbers[5] == numbers[4] - 1;
+}
+
 std::string CheckPiece(vtkXMLDataElement* piece, const AppendedData& appended, double& cells)
 {
   Extent extent;
+  if (IsEmpty(piece))
+  {
+    return {};
+  }
   if (!ReadExtent(piece, "Extent", extent))
   {
     return "the Extent of a Piece is none.";
@@ -120,7 +153,8 @@ std::string CheckPiece(vtkXMLDataElement* piece, const AppendedData& appended, d
   std::string problem;
   for (int i = 0; problem.empty() && data && i < data->GetNumberOfNestedElements(); ++i)
   {
-    problem = CheckArray(data->GetNestedElement(i), CountSamples(extent), appended);
+    vtkXMLDataElement* array = data->GetNestedElement(i);
+    problem = IsBeside(array, data) ? "" : CheckArray(array, CountSamples(extent), appended);
   }
   return problem;
 }

@@ -27,15 +27,14 @@ public:
   {
     std::vector<char> plain(1 << 16);
     std::uintmax_t count = 0;
-    if (this->Ended && !packed.empty()) // what follows is another member of the file
-    {
-      this->Ended = false;
-      this->Good = inflateReset(&this->Stream) == Z_OK;
-    }
     this->Stream.next_in = reinterpret_cast<Bytef*>(packed.data());
     this->Stream.avail_in = static_cast<uInt>(packed.size());
     do
     {
+      if (this->Ended && !this->BeginMember())
+      {
+        return count;
+      }
       this->Stream.next_out = reinterpret_cast<Bytef*>(plain.data());
       this->Stream.avail_out = static_cast<uInt>(plain.size());
       const int status = inflate(&this->Stream, Z_NO_FLUSH);
@@ -43,10 +42,6 @@ public:
       this->Ended = status == Z_STREAM_END;
       this->Good =
         status == Z_OK || this->Ended || (status == Z_BUF_ERROR && this->Stream.avail_in == 0);
-      if (this->Ended && this->Stream.avail_in > 0)
-      {
-        inflateReset(&this->Stream);
-      }
     } while (
       this->Good && count <= most && (this->Stream.avail_in > 0 || this->Stream.avail_out == 0));
     return count;
@@ -56,9 +51,29 @@ public:
   bool HasEnded() const { return this->Ended; }
 
 private:
+  // Another one of the file, or zeros up to its end, as tapes have them.
+  bool BeginMember()
+  {
+    const Bytef* next = this->Stream.next_in;
+    const Bytef* end = next + this->Stream.avail_in;
+    this->Padded = this->Padded || (next < end && *next == 0);
+    if (this->Padded)
+    {
+      this->Good = std::all_of(next, end, [](Bytef byte) { return byte == 0; });
+    }
+    if (this->Padded || next == end)
+    {
+      return false;
+    }
+    this->Ended = false;
+    this->Good = inflateReset(&this->Stream) == Z_OK;
+    return this->Good;
+  }
+
   z_stream Stream = {};
   bool Good = false;
   bool Ended = false;
+  bool Padded = false;
 };
 } // namespace
 

@@ -200,13 +200,24 @@ double GetSeconds(const FileSizes& sizes, double bytes)
          (static_cast<double>(sizes.Bytes) + bytes) / BytesPerSecond;
 }
 
-// What a packed PVM takes before its header is known: of 16 bits all of it, which may be doubled
-// twice.
-double GetDecodedBytes(const std::string& file, const FileSizes& sizes)
+// What a packed PVM takes beyond its samples: twice its bytes, and as many seconds as it takes to
+// go through all samples, before its header is known and once more.
+struct Decoding
 {
-  constexpr double MostTimes = 4.0 * 102.0;
-  return GetEnding(file) == ".pvm" ? MostTimes * static_cast<double>(sizes.Bytes) : 0.0;
-}
+  explicit Decoding(const std::string& file)
+  {
+    constexpr double MostTimes = 102.0;
+    constexpr double BytesPerSecond = 16e6;
+    if (GetEnding(file) == ".pvm")
+    {
+      const std::uintmax_t bytes = MeasureFiles(file).Bytes;
+      this->Bytes = 2 * bytes;
+      this->Seconds = MostTimes * static_cast<double>(bytes) / BytesPerSecond;
+    }
+  }
+  std::uintmax_t Bytes = 0;
+  double Seconds = 0.0;
+};
 
 // For counting what is packed.
 double GetSecondsToCount(const FileSizes& sizes)
@@ -219,9 +230,9 @@ double GetSecondsToCount(const FileSizes& sizes)
 vtkSmartPointer<vtkAlgorithm> Open(const Options& options, double& bytes)
 {
   const FileSizes sizes = MeasureFiles(options.File);
-  const double decoded = GetDecodedBytes(options.File, sizes);
+  const Decoding decoding(options.File);
   const ReaderGuard guard(
-    GetSeconds(sizes, decoded) + GetSecondsToCount(sizes), static_cast<std::uintmax_t>(decoded));
+    GetSeconds(sizes, 0.0) + GetSecondsToCount(sizes) + decoding.Seconds, decoding.Bytes);
   const Listening listening(options.File);
   vtkSmartPointer<vtkAlgorithm> reader = MakeReader(options);
   listening.Check();
@@ -235,8 +246,10 @@ void Read(vtkAlgorithm* reader, const std::string& file, double bytes)
 {
   constexpr double Copies = 3.0; // that readers hold at the same time
   const FileSizes sizes = MeasureFiles(file);
-  const double most = Copies * bytes + GetDecodedBytes(file, sizes);
-  const ReaderGuard guard(GetSeconds(sizes, most), static_cast<std::uintmax_t>(most));
+  const Decoding decoding(file);
+  const double most = Copies * bytes;
+  const ReaderGuard guard(
+    GetSeconds(sizes, most) + decoding.Seconds, static_cast<std::uintmax_t>(most) + decoding.Bytes);
   const Listening listening(file);
   reader->Update();
   listening.Check();
@@ -284,7 +297,6 @@ std::string StripError(const std::string& text)
   const std::size_t colon = text.find("): ");
   std::string stripped = colon == std::string::npos ? text : text.substr(colon + 3);
   stripped.erase(stripped.find_last_not_of(" \n") + 1);
-  std::replace(stripped.begin(), stripped.end(), '\n', ' ');
   return stripped;
 }
 

@@ -15,7 +15,7 @@ struct LoadedVolume
   vtkSmartPointer<vtkMatrix4x4> Anatomy;
 };
 
-/// What an error of VTK's says, on one line, without where in its code.
+/// What an error of VTK's says, without where in its code.
 std::string StripError(const std::string& text);
 
 /// @throws std::runtime_error that names the file and what is wrong with it

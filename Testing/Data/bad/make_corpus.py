@@ -33,12 +33,22 @@ def good_files():
     yield "good.df3", struct.pack(">3H", *N) + SAMPLES
     yield "good.nii", nifti1() + SAMPLES
     yield "good.nii.gz", pack(nifti1() + SAMPLES)
+    yield "good_padded.nii.gz", pack(nifti1() + SAMPLES) + bytes(70000)
+    yield "good_of_members.nii.gz", pack(nifti1()) + pack(SAMPLES)
     yield "good_unused_affine.nii", nifti1(affine=(float("nan"),) * 12, codes=(0, 0)) + SAMPLES
     yield "good_2.nii", nifti2((3, *N, 1, 1, 1, 1)) + SAMPLES
     for name, make, ending in (("nrrd", nrrd, ".nrrd"), ("meta", meta_image, ".mha"),
             ("vti", vti, ".vti"), ("legacy", legacy_vtk, ".vtk")):
         short = dict(make())[name + "_one_byte_short" + ending]
         yield "good" + ending, short + {"vti": b">"}.get(name, SAMPLES[-1:])
+    short_vti = dict(vti())["vti_one_byte_short.vti"]
+    texts = (b'<Array type="String" Name="t" format="ascii" NumberOfTuples="120">' + b"97 0 " * 120 +
+        b"</Array>")
+    end = short_vti.index(b"</ImageData>")
+    yield "good_empty_piece.vti", (short_vti[:end] +
+        b'<Piece Extent="0 -1 0 -1 0 -1"><PointData/></Piece>' + short_vti[end:] + b">")
+    array = short_vti.index(b"<DataArray")
+    yield "good_texts_beside.vti", short_vti[:array] + texts + short_vti[array:] + b">"
     yield "good_4x5x6_uint8.raw", SAMPLES
 
 
