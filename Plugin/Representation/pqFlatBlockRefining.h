@@ -11,13 +11,14 @@
 #define pqFlatBlockRefining_h
 
 #include "vtkNew.h"
+#include "vtkObject.h"
+#include "vtkWeakPointer.h"
 
 #include <QObject>
 
 class pqServerManagerModelItem;
 class pqView;
 class vtkEventQtSlotConnect;
-class vtkObject;
 
 class pqFlatBlockRefining : public QObject
 {
@@ -45,7 +46,7 @@ private:
 
   vtkNew<vtkEventQtSlotConnect> Events;
   bool IsPlaying = false;
-  vtkObject* Moving = nullptr; // the interactor of a view whose camera is being moved
+  vtkWeakPointer<vtkObject> Moving; // the interactor of a view whose camera is being moved
 };
 
 #endif

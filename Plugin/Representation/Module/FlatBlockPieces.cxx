@@ -48,6 +48,43 @@ Extent GetOwnExtent(vtkImageData* image)
   return own[0] > own[1] ? extent : own;
 }
 
+void ForgetBits(vtkDataSetAttributes* data, unsigned char bits)
+{
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(data->GetArray(name));
+  if (!ghosts)
+  {
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> others; // the array may be shared
+  others->DeepCopy(ghosts);
+  bool hasAny = false;
+  for (vtkIdType i = 0; i < others->GetNumberOfValues(); ++i)
+  {
+    others->SetValue(i, others->GetValue(i) & static_cast<unsigned char>(~bits));
+    hasAny = hasAny || others->GetValue(i) != 0;
+  }
+  data->RemoveArray(name);
+  if (hasAny)
+  {
+    data->AddArray(others);
+  }
+}
+
+// As an append filter takes over what all have.
+void HaveGhosts(vtkDataSetAttributes* data, vtkIdType count)
+{
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  if (!data->HasArray(name))
+  {
+    vtkNew<vtkUnsignedCharArray> none;
+    none->SetName(name);
+    none->SetNumberOfTuples(count);
+    none->FillValue(0);
+    data->AddArray(none);
+  }
+}
+
 vtkSmartPointer<vtkImageData> CopyOwn(vtkImageData* image)
 {
   auto copy = vtkSmartPointer<vtkImageData>::New();
@@ -55,8 +92,7 @@ vtkSmartPointer<vtkImageData> CopyOwn(vtkImageData* image)
   if (image->HasAnyGhostCells())
   {
     copy->Crop(GetOwnExtent(image).data());
-    copy->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-    copy->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+    ForgetDuplicates(copy);
   }
   return copy;
 }
@@ -107,6 +143,12 @@ double CountCells(const Extent& extent)
 }
 } // namespace
 
+void ForgetDuplicates(vtkImageData* image)
+{
+  ForgetBits(image->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
+  ForgetBits(image->GetPointData(), vtkDataSetAttributes::DUPLICATEPOINT);
+}
+
 std::vector<vtkSmartPointer<vtkImageData>> GetImages(vtkDataObject* data)
 {
   std::vector<vtkSmartPointer<vtkImageData>> images;
@@ -141,6 +183,10 @@ vtkSmartPointer<vtkImageData> MergeImages(const std::vector<vtkSmartPointer<vtkI
   double cells = 0.0;
   vtkNew<vtkImageAppend> append;
   append->PreserveExtentsOn();
+  const bool hasCellGhosts = std::any_of(images.begin(), images.end(),
+    [](vtkImageData* image) { return image->GetCellGhostArray() != nullptr; });
+  const bool hasPointGhosts = std::any_of(images.begin(), images.end(),
+    [](vtkImageData* image) { return image->GetPointGhostArray() != nullptr; });
   for (vtkImageData* image : images)
   {
     const std::optional<Extent> extent = GetExtentIn(images.front(), image);
@@ -158,6 +204,14 @@ vtkSmartPointer<vtkImageData> MergeImages(const std::vector<vtkSmartPointer<vtkI
     moved->ShallowCopy(image);
     moved->SetOrigin(images.front()->GetOrigin());
     moved->SetExtent(const_cast<int*>(extent->data()));
+    if (hasCellGhosts)
+    {
+      HaveGhosts(moved->GetCellData(), moved->GetNumberOfCells());
+    }
+    if (hasPointGhosts)
+    {
+      HaveGhosts(moved->GetPointData(), moved->GetNumberOfPoints());
+    }
     append->AddInputData(moved);
   }
   if (cells != CountCells(whole))

@@ -10,6 +10,9 @@ class vtkImageData;
 
 namespace flatblock
 {
+/// Says that no cell and no point is there twice; those that are hidden stay hidden.
+void ForgetDuplicates(vtkImageData* image);
+
 /// The images in a data object, without ghost cells; itself where it is one.
 std::vector<vtkSmartPointer<vtkImageData>> GetImages(vtkDataObject* data);
 

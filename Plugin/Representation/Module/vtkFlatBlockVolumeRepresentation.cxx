@@ -186,8 +186,7 @@ void vtkFlatBlockVolumeRepresentation::KeepGhosts(vtkImageData* image)
   bounds->InsertNextTuple(own->GetBounds());
   vtkNew<vtkImageData> whole;
   whole->ShallowCopy(image);
-  whole->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  whole->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  flatblock::ForgetDuplicates(whole);
   whole->GetFieldData()->AddArray(bounds);
   this->Cache = whole;
 }
