@@ -1,29 +1,42 @@
 /// What a window showed before the frame that it is drawing.
 #pragma once
 
+#include "vtkRenderWindow.h"
+#include "vtkWeakPointer.h"
+
 #include <array>
+#include <vector>
 
 class vtkRenderer;
-class vtkRenderWindow;
+class vtkWindow;
 
 namespace flatblock
 {
-/// Which picture a window shows: one of another window or size is another one.
-struct WindowPicture
+/// Which windows show a picture that was drawn as a whole. One of another size is another one, and
+/// pictures of selectors are not for people.
+class FormerPictures
 {
-  const vtkRenderWindow* Window = nullptr; // only compared with
-  std::array<int, 2> Size = { 0, 0 };
+public:
+  /// Also forgets those of windows that are no more.
+  void Remember(vtkRenderer* renderer);
+  bool Has(vtkRenderer* renderer) const;
+  void Forget(vtkWindow* window);
 
-  bool operator==(const WindowPicture& other) const
+private:
+  struct Picture
   {
-    return this->Window == other.Window && this->Size == other.Size;
-  }
+    vtkWeakPointer<vtkRenderWindow> Window;
+    std::array<int, 2> Size;
+  };
+  std::vector<Picture> Pictures;
 };
-WindowPicture GetPictureOf(vtkRenderer* renderer);
 
 /// Gives up a frame: no other props are drawn, and within the renderer's viewport the window goes
 /// on to show its former picture, be it on screen or not.
 ///
 /// @param hasPicture  that the window, of its present size, has shown
 void ShowFormerPicture(vtkRenderer* renderer, bool hasPicture);
+
+/// For after events, whose observers may have drawn other windows.
+void MakeCurrent(vtkRenderWindow* window);
 } // namespace flatblock

@@ -59,10 +59,7 @@ bool IsToAbort(vtkAlgorithm* mapper, vtkRenderer* renderer)
   vtkRenderWindow* window = renderer->GetRenderWindow();
   window->InvokeEvent(vtkCommand::AbortCheckEvent, nullptr);
   mapper->UpdateProgress(mapper->GetProgress());
-  if (!window->IsCurrent())
-  {
-    window->MakeCurrent(); // observers may have drawn others
-  }
+  flatblock::MakeCurrent(window);
   return window->GetAbortRender() != 0 || mapper->GetAbortExecute() != 0;
 }
 } // namespace
@@ -78,38 +75,51 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   in.Statistics.UploadedBytes = 0;
   in.Statistics.MovedBytes = 0;
   in.Memory.ResetPeak();
-  if (renderer->GetRenderWindow()->GetAbortRender()) // as by another volume
+  in.WasInterrupted = false;
+  in.WasLeftOut = renderer->GetRenderWindow()->GetAbortRender() != 0; // as by another volume
+  if (in.WasLeftOut)
   {
-    in.WasInterrupted = true;
     in.KeepFormerPicture(renderer);
     return;
   }
+  this->TryFrame(renderer, volume);
+  if (in.IsToRelease)
+  {
+    in.Release(in.Window);
+  }
+  flatblock::MakeCurrent(renderer->GetRenderWindow());
+}
+
+void vtkFlatBlockVolumeMapper::TryFrame(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkInternals& in = *this->Internals;
   const flatblock::SelectorGuard guard(renderer->GetSelector());
   this->AbortExecute = 0; // of an earlier frame
-  const flatblock::InterruptionScope scope([&] { return IsToAbort(this, renderer); });
+  const flatblock::InterruptionScope scope(
+    [&] { return IsToAbort(this, renderer) || in.IsToRelease; });
+  in.HasFailed = true;
   try
   {
     this->DrawFrame(renderer, volume);
     ++in.Frames;
-    in.WasInterrupted = false;
-    in.RememberPicture(renderer);
+    in.HasFailed = false;
+    in.Pictures.Remember(renderer);
     in.LastError.clear();
     this->ReportProgress();
   }
   catch (const flatblock::Interrupted&)
   {
+    in.HasFailed = false;
     in.WasInterrupted = true;
     in.KeepFormerPicture(renderer);
   }
   catch (const std::bad_alloc&)
   {
-    in.WasInterrupted = false;
     in.KeepFormerPicture(renderer);
     this->ReportOnce("There is not enough main memory for this frame; the former picture stays.");
   }
   catch (const std::exception& problem)
   {
-    in.WasInterrupted = false;
     in.DropBricks();
     if (in.Memory.GetBytes() > this->MaxMemoryInBytes)
     {
@@ -119,24 +129,14 @@ void vtkFlatBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   }
 }
 
-// Of this window and of its size; pictures of selectors are not for people.
-void vtkFlatBlockVolumeMapper::vtkInternals::RememberPicture(vtkRenderer* renderer)
-{
-  if (!renderer->GetSelector())
-  {
-    this->Picture = flatblock::GetPictureOf(renderer);
-  }
-}
-
 // Where there is none, what the window shows from now on is none of it.
 void vtkFlatBlockVolumeMapper::vtkInternals::KeepFormerPicture(vtkRenderer* renderer)
 {
-  const bool hasPicture =
-    !renderer->GetSelector() && this->Picture == flatblock::GetPictureOf(renderer);
+  const bool hasPicture = this->Pictures.Has(renderer);
   flatblock::ShowFormerPicture(renderer, hasPicture);
   if (!hasPicture && !renderer->GetSelector())
   {
-    this->Picture = {};
+    this->Pictures.Forget(renderer->GetRenderWindow());
   }
 }
 
@@ -189,13 +189,18 @@ double* vtkFlatBlockVolumeMapper::GetBounds()
 bool vtkFlatBlockVolumeMapper::GetConverged() const
 {
   const vtkInternals& in = *this->Internals;
-  return in.Frames > 0 && !in.WasInterrupted && in.LastError.empty() && in.IsDistortionCurrent &&
-         in.Residency.GetLevels() == in.Levels->GetLevels();
+  const bool isDrawn = in.Frames > 0 && !in.WasInterrupted && !in.WasLeftOut && !in.HasFailed;
+  return isDrawn && in.IsDistortionCurrent && in.Residency.GetLevels() == in.Levels->GetLevels();
 }
 
 bool vtkFlatBlockVolumeMapper::GetInterrupted() const
 {
   return this->Internals->WasInterrupted;
+}
+
+bool vtkFlatBlockVolumeMapper::GetFailed() const
+{
+  return this->Internals->HasFailed;
 }
 
 // Once more when it is done, and then no more.
@@ -222,7 +227,7 @@ int vtkFlatBlockVolumeMapper::RenderUntilConverged(vtkRenderWindow* window)
     drawnBefore = in.Frames;
     window->Render();
     ++frames;
-  } while (in.Frames > drawnBefore && !this->GetConverged() && in.LastError.empty());
+  } while (in.Frames > drawnBefore && !this->GetConverged() && !in.HasFailed);
   return frames;
 }
 
@@ -259,17 +264,31 @@ void vtkFlatBlockVolumeMapper::GetDepthImage(vtkImageData* image)
   this->Internals->RayCaster->GetImages(nullptr, image);
 }
 
-// Of the window that it was drawn in; where others are lost, nothing of this is.
+// Of the window that it was drawn in: VTK also asks for others' sake, and for none's while one is
+// made. Observers of a frame have to wait for its end.
 void vtkFlatBlockVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (window && this->Internals->Window && window != this->Internals->Window)
+  vtkInternals& in = *this->Internals;
+  in.Pictures.Forget(window);
+  if (in.Window && window != in.Window)
   {
     return;
   }
-  this->Internals->Atlas->ReleaseGraphicsResources(window);
-  this->Internals->RayCaster->ReleaseGraphicsResources(window);
-  this->Internals->CardLimit = {};
-  this->Internals->LastAtlasBytes = 0;
+  if (in.IsDrawing)
+  {
+    in.IsToRelease = true;
+    return;
+  }
+  in.Release(window);
+}
+
+void vtkFlatBlockVolumeMapper::vtkInternals::Release(vtkWindow* window)
+{
+  this->Atlas->ReleaseGraphicsResources(window);
+  this->RayCaster->ReleaseGraphicsResources(window);
+  this->CardLimit = {};
+  this->LastAtlasBytes = 0;
+  this->IsToRelease = false;
 }
 
 void vtkFlatBlockVolumeMapper::ShallowCopy(vtkAbstractMapper* other)

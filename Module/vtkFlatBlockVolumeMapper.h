@@ -247,10 +247,11 @@ public:
   /**
    * Whether the last frame showed every block at the level that is wanted; false before the first.
    * Frames that don't send a ProgressEvent with the share of the visible blocks that do. Whether it
-   * was given up by a wish, so that the window shows its former picture.
+   * was given up by a wish, or ended in an error; the next one goes on.
    */
   bool GetConverged() const;
   bool GetInterrupted() const;
+  bool GetFailed() const;
   ///@}
 
   /**
@@ -308,9 +309,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Of the last frame: rays that MaximumNumberOfSamples cut off; its ImageSampleDistance.
-   */
+  /// Of the last frame: rays that MaximumNumberOfSamples cut off; its ImageSampleDistance.
   vtkTypeInt64 GetNumberOfRaysCutOff() const;
   double GetUsedImageSampleDistance() const;
   ///@}
@@ -341,7 +340,7 @@ public:
   /// Draws the volume. Called by vtkVolume.
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
-  /// Gives back everything on the graphics card. The next render starts anew, in any window.
+  /// Gives back everything on the graphics card of this window, after the frame that is drawn.
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
@@ -354,6 +353,7 @@ private:
   vtkFlatBlockVolumeMapper(const vtkFlatBlockVolumeMapper&) = delete;
   void operator=(const vtkFlatBlockVolumeMapper&) = delete;
   void ReportOnce(const char* error);
+  void TryFrame(vtkRenderer* renderer, vtkVolume* volume);
   void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);
   void UpdateBlocks();
   void UpdateTransferTable();

@@ -26,7 +26,7 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   }
   if (in.Window && in.Window != window)
   {
-    this->ReleaseGraphicsResources(in.Window);
+    in.Release(in.Window);
     window->MakeCurrent();
   }
   in.Window = window;
@@ -51,6 +51,7 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   this->UpdateBlocks();
   this->WarnAboutIgnoredSettings();
   this->WarnAboutSamples();
+  flatblock::MakeCurrent(window);
   this->UpdateTransferTable();
   in.ChooseCubes(this->Skipping, this->MaxMemoryInBytes);
   this->UpdateAtlas(renderer, volume);
@@ -66,6 +67,7 @@ void vtkFlatBlockVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volum
   in.UpdateBrickRanges();
   in.UpdateGradientTable();
   in.UpdateCurvatureTable(this);
+  flatblock::MakeCurrent(window);
   this->DrawRays(renderer, volume);
 }
 

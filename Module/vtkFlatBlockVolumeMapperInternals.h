@@ -128,8 +128,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   }
 
   void DropBricks();
-  void RememberPicture(vtkRenderer* renderer);
   void KeepFormerPicture(vtkRenderer* renderer);
+  void Release(vtkWindow* window);
   void SetChannels(const flatblock::VolumeInput& input, vtkVolumeProperty* property);
   void SetLabels(vtkVolumeProperty* property);
   bool IsPlain() const { return this->Channels.size() == 1 && !this->Mask; }
@@ -195,8 +195,8 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   vtkTimeStamp TransmittanceTime;
   flatblock::VolumeView TransmittanceView; // only compared with
   flatblock::FrameStatistics Statistics;
-  vtkTypeInt64 Frames = 0;          // drawn so far
-  flatblock::WindowPicture Picture; // the former one
+  vtkTypeInt64 Frames = 0; // drawn so far
+  flatblock::FormerPictures Pictures;
   vtkTypeInt64 LastAtlasBytes = 0;
   flatblock::CardLimit CardLimit;
   std::string LastError;
@@ -209,6 +209,9 @@ struct vtkFlatBlockVolumeMapper::vtkInternals
   bool AreBrickRangesCurrent = false;
   bool IsDrawing = false;
   bool WasInterrupted = false; // the last frame
+  bool WasLeftOut = false;     // of a frame that another mapper gave up
+  bool HasFailed = false;
+  bool IsToRelease = false; // once the frame has ended
   bool WasConverged = true;
   bool IsDistortionCurrent = true; // or not asked for
   bool HasCudaFailed = false;

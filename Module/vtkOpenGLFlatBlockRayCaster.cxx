@@ -263,14 +263,15 @@ bool vtkOpenGLFlatBlockRayCaster::DrawRays(vtkRenderer* renderer, const Scene& s
     this->DrawCover(state, cover);
     return true;
   }
-  this->RayImage->Begin(renderer, scene.Sampling.PixelsPerRay, scene.Sampling.HasTwoImages());
-  {
-    vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
-    state->vtkglDisable(GL_SCISSOR_TEST);
-    state->vtkglDisable(GL_BLEND);
-    this->DrawCover(state, cover);
-  }
-  this->RayImage->End(scene.Sampling.StaysInImage);
+  this->RayImage->DrawInto(renderer,
+    { scene.Sampling.PixelsPerRay, scene.Sampling.HasTwoImages(), scene.Sampling.StaysInImage },
+    [&]
+    {
+      vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+      state->vtkglDisable(GL_SCISSOR_TEST);
+      state->vtkglDisable(GL_BLEND);
+      this->DrawCover(state, cover);
+    });
   if (scene.IsOnlyImage || scene.Sampling.StaysInImage)
   {
     return true;

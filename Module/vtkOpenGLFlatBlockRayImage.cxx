@@ -41,11 +41,15 @@ struct ViewportBox
   int Origin[2] = { 0, 0 };
 };
 
-// In its end, what was drawn to before Begin() is drawn to again; also where memory is short.
+// In its end, what was drawn to before is drawn to again.
 class FormerTarget
 {
 public:
-  FormerTarget(vtkOpenGLState* state, const int* viewport) : State(state), Viewport(viewport) {}
+  explicit FormerTarget(vtkOpenGLState* state) : State(state)
+  {
+    state->vtkglGetIntegerv(GL_VIEWPORT, this->Viewport);
+    state->PushFramebufferBindings();
+  }
   ~FormerTarget()
   {
     const int* v = this->Viewport;
@@ -57,7 +61,7 @@ public:
 
 private:
   vtkOpenGLState* State;
-  const int* Viewport;
+  int Viewport[4] = { 0, 0, 0, 0 };
 };
 } // namespace
 
@@ -111,16 +115,31 @@ void vtkOpenGLFlatBlockRayImage::Allocate(
   }
 }
 
-void vtkOpenGLFlatBlockRayImage::Begin(vtkRenderer* renderer, double pixelsPerRay, bool hasCounts)
+void vtkOpenGLFlatBlockRayImage::DrawInto(
+  vtkRenderer* renderer, const Content& content, const std::function<void()>& draw)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const auto size = GetSize(renderer, pixelsPerRay);
-  this->Allocate(window, size, hasCounts);
-  vtkOpenGLState* state = window->GetState();
-  state->vtkglGetIntegerv(GL_VIEWPORT, this->Viewport);
-  state->PushFramebufferBindings();
+  const auto size = GetSize(renderer, content.PixelsPerRay);
+  this->Allocate(window, size, content.HasCounts);
+  const FormerTarget target(window->GetState());
   this->Framebuffer->SetContext(window);
   this->Framebuffer->Bind();
+  this->Clear(window->GetState(), size, content.HasCounts);
+  draw();
+  this->RayCounts = {};
+  if (content.KeepsImages)
+  {
+    this->KeepImages();
+  }
+  else if (content.HasCounts)
+  {
+    this->CountRays();
+  }
+}
+
+void vtkOpenGLFlatBlockRayImage::Clear(
+  vtkOpenGLState* state, const std::array<int, 2>& size, bool hasCounts)
+{
   this->Framebuffer->AddColorAttachment(0, this->Colors);
   if (hasCounts)
   {
@@ -133,20 +152,6 @@ void vtkOpenGLFlatBlockRayImage::Begin(vtkRenderer* renderer, double pixelsPerRa
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglClearColor(0.0F, 0.0F, 0.0F, 0.0F);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
-}
-
-void vtkOpenGLFlatBlockRayImage::End(bool keepsImages)
-{
-  const FormerTarget target(this->Framebuffer->GetContext()->GetState(), this->Viewport);
-  this->RayCounts = {};
-  if (keepsImages)
-  {
-    this->KeepImages();
-  }
-  else if (this->Counts->GetHandle() != 0)
-  {
-    this->CountRays();
-  }
 }
 
 void vtkOpenGLFlatBlockRayImage::CountRays()

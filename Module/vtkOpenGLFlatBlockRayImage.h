@@ -15,9 +15,11 @@
 #include "vtkObject.h"
 
 #include <array>
+#include <functional>
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
 class vtkRenderer;
 class vtkShaderProgram;
 class vtkTextureObject;
@@ -41,18 +43,20 @@ public:
   static std::array<int, 2> GetSize(vtkRenderer* renderer, double pixelsPerRay);
   static vtkTypeInt64 GetBytes(vtkRenderer* renderer, double pixelsPerRay, bool hasCounts);
 
-  /**
-   * From here to End() the image is drawn to, and shows nothing at first. Draw buffer 0 takes
-   * colours. Where there are counts, buffer 1 takes the samples of a ray, negative where it was cut
-   * off, and its fetches.
-   */
-  void Begin(vtkRenderer* renderer, double pixelsPerRay, bool hasCounts);
+  struct Content
+  {
+    double PixelsPerRay = 1.0;
+    bool HasCounts = false;   ///< or depths
+    bool KeepsImages = false; ///< buffer 1 has depths
+  };
 
   /**
-   * What was drawn to before is drawn to again. Adds up the counts, or else keeps both images.
-   * @param keepsImages  buffer 1 has depths
+   * While the function runs, the image is drawn to, and shows nothing at first. Draw buffer 0 takes
+   * colours. Where there are counts, buffer 1 takes the samples of a ray, negative where it was cut
+   * off, and its fetches. They are added up, or else both images are kept. What was drawn to before
+   * is drawn to again, also after an exception.
    */
-  void End(bool keepsImages);
+  void DrawInto(vtkRenderer* renderer, const Content& content, const std::function<void()>& draw);
 
   /**
    * What was kept: RGBA of 8 bit, multiplied by opacity, and depths in floats, from 0 at the
@@ -88,6 +92,7 @@ private:
   vtkOpenGLFlatBlockRayImage(const vtkOpenGLFlatBlockRayImage&) = delete;
   void operator=(const vtkOpenGLFlatBlockRayImage&) = delete;
 
+  void Clear(vtkOpenGLState* state, const std::array<int, 2>& size, bool hasCounts);
   void Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 2>& size, bool hasCounts);
   bool HasSize(const std::array<int, 2>& size, bool hasCounts) const;
 
@@ -101,7 +106,6 @@ private:
   vtkNew<vtkImageData> DepthImage;
   flatblock::CountedBytes Bytes;
   flatblock::RayCounts RayCounts;
-  int Viewport[4] = { 0, 0, 0, 0 }; // drawn to before
 };
 
 #endif

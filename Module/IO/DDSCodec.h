@@ -11,12 +11,12 @@ namespace flatblock
 /// Differential data streams as S. Roettger's V^3 writes them: "DDS v3d" or "DDS v3e" and a line
 /// feed, then bits from the highest of each byte on: 2 of skip - 1, 16 of strip - 1, and runs of 7
 /// bits that count bytes and 3 bits that say how many bits each of them has: 0, or one more than
-/// these. A byte differs by that number, less half of its range, from the one before, whose own
-/// change since the byte a strip before it is taken over; no byte does in the first strip. A run of
+/// these. A byte differs by that number, less half of its range, from the one before; from byte
+/// strip + 1 on the change between the two a strip before is added, but for strips of one. A run of
 /// none ends it. Bytes are sorted by their place among `skip`, in v3e in parts of 2^24 times skip.
 bool IsDDS(const std::uint8_t* bytes, std::size_t count);
 
-/// Bytes of a whole stream, once it is decoded; at most 127 in 10 bits. Takes no memory.
+/// Bytes of a whole stream, once it is decoded; at most 127 in 10 bits.
 /// @throws FormatError  where the stream ends early
 std::uint64_t CountDDS(const std::uint8_t* bytes, std::size_t count);
 

@@ -215,6 +215,48 @@ TEST_P(Interruption, ForgetsPicturesOfOtherSizes)
   EXPECT_EQ(LargestDifference(shown, this->Current.Draw()), 0.0);
 }
 
+TEST_P(Interruption, EachWindowKeepsItsPicture)
+{
+  Prepare(this->Current, MakeWaves());
+  const auto before = this->Current.Draw();
+  Scene other;
+  Prepare(other, MakeWaves());
+  vtkNew<vtkVolume> same;
+  same->SetMapper(this->Current.Mapper);
+  same->SetProperty(this->Current.Property);
+  other.Renderer->RemoveAllViewProps();
+  other.Renderer->AddVolume(same);
+  other.Draw();
+  this->Current.Mapper->SetMaxMemoryInBytes(vtkTypeInt64(8) << 20);
+  this->Current.Mapper->SetSelectionCriterionToDistortion();
+  this->Current.Mapper->SetInputData(MakeNoise(160));
+  Stopper stopper;
+  this->Listen(stopper);
+  for (stopper.After = 10.0; stopper.After < 30.0; stopper.After += 10.0)
+  {
+    ASSERT_GE(stopper.Draw(this->Current.Window), 0.0);
+    EXPECT_TRUE(this->Current.Mapper->GetInterrupted());
+    EXPECT_EQ(LargestDifference(before, Shown(this->Current)), 0.0);
+  }
+}
+
+TEST_P(Interruption, ResourcesMayBeReleasedWhileTheyAreDrawn)
+{
+  Prepare(this->Current, MakeNoise(160));
+  this->Current.Mapper->SetMaxMemoryInBytes(vtkTypeInt64(8) << 20);
+  this->Current.Mapper->SetSelectionCriterionToDistortion();
+  const auto before = this->Current.Draw();
+  Stopper stopper;
+  this->Listen(stopper);
+  stopper.Wish = [&] { this->Current.Mapper->ReleaseGraphicsResources(this->Current.Window); };
+  stopper.After = 30.0;
+  this->Current.Mapper->SetInputData(MakeNoise(160));
+  ASSERT_GE(stopper.Draw(this->Current.Window), 0.0);
+  EXPECT_TRUE(this->Current.Mapper->GetInterrupted());
+  EXPECT_EQ(this->Current.Mapper->GetAtlasBytes(), 0);
+  EXPECT_EQ(LargestDifference(before, this->Current.Draw()), 0.0);
+}
+
 // Observers may draw other windows, even such as show the mapper that is about to draw this one.
 TEST_P(Interruption, ObserversMayDrawOtherWindows)
 {
@@ -268,7 +310,9 @@ TEST_P(Interruption, OfOneVolumeIsThatOfTheFrame)
   stopper.After = 60.0;
   ASSERT_GE(stopper.Draw(this->Current.Window), 0.0);
   EXPECT_FALSE(this->Current.Mapper->GetConverged());
+  EXPECT_TRUE(this->Current.Mapper->GetInterrupted());
   EXPECT_FALSE(mapper->GetConverged());
+  EXPECT_FALSE(mapper->GetInterrupted());
   EXPECT_EQ(LargestDifference(before, Shown(this->Current)), 0.0);
   stopper.After = 1e9;
   this->Current.Draw();
@@ -337,7 +381,10 @@ TEST(MainMemory, ShortageKeepsTheFormerPicture)
     EXPECT_NE(messages.Errors[0].find("not enough main memory"), std::string::npos)
       << messages.Errors[0];
     EXPECT_EQ(LargestDifference(before, Shown(scene)), 0.0);
+    EXPECT_TRUE(scene.Mapper->GetFailed());
+    EXPECT_FALSE(scene.Mapper->GetInterrupted());
     const auto after = scene.Draw();
+    EXPECT_FALSE(scene.Mapper->GetFailed());
     EXPECT_TRUE(scene.Mapper->GetConverged());
     EXPECT_GT(LargestDifference(before, after), 0.0);
   }

@@ -64,14 +64,16 @@ int vtkFlatBlockStatus::GetConverged()
     return 1;
   }
   const auto& mappers = this->Pieces->GetMappers();
-  return std::all_of(mappers.begin(), mappers.end(),
-           [](vtkFlatBlockVolumeMapper* mapper)
-           {
-             return mapper->GetConverged() ||
-                    (!mapper->GetInterrupted() && mapper->GetNumberOfPendingChanges() == 0);
-           })
-           ? 1
-           : 0;
+  // What failed does so again, and leaves out what would have been drawn after it.
+  const bool hasFailed = std::any_of(mappers.begin(), mappers.end(),
+    [](vtkFlatBlockVolumeMapper* mapper) { return mapper->GetFailed(); });
+  const bool isDone = std::all_of(mappers.begin(), mappers.end(),
+    [](vtkFlatBlockVolumeMapper* mapper)
+    {
+      return mapper->GetConverged() ||
+             (!mapper->GetInterrupted() && mapper->GetNumberOfPendingChanges() == 0);
+    });
+  return hasFailed || isDone ? 1 : 0;
 }
 
 int vtkFlatBlockStatus::GetProgress()
