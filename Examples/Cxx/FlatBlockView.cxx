@@ -1,4 +1,5 @@
 // Draws a volume file with vtkFlatBlockVolumeMapper, to a picture or in a window.
+#include "OneLine.h"
 #include "Options.h"
 #include "Presets.h"
 #include "ReadVolume.h"
@@ -35,24 +36,9 @@ namespace
 {
 constexpr double MiB = 1024.0 * 1024.0;
 
-// What files say is told as text that no terminal obeys, and of which a screen shows all.
-std::string ToLine(const std::string& text)
-{
-  constexpr std::size_t MostBytes = 1000;
-  std::string line = text;
-  for (std::size_t i = 0; i < line.size(); ++i)
-  {
-    const auto byte = static_cast<unsigned char>(line[i]);
-    const auto former = static_cast<unsigned char>(i > 0 ? line[i - 1] : 0);
-    const bool isControl = byte < 0x20 || byte == 0x7f || (former == 0xc2 && byte < 0xa0);
-    line[i] = byte == '\n' ? ' ' : (isControl ? '?' : line[i]);
-  }
-  return line.size() > MostBytes ? line.substr(0, MostBytes) + "..." : line;
-}
-
 void Say(const std::string& text)
 {
-  std::cerr << "FlatBlockView: " << ToLine(text) << std::endl;
+  std::cerr << "FlatBlockView: " << ToOneLine(text) << std::endl;
 }
 
 // What VTK says, each on a line.

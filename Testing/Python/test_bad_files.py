@@ -52,7 +52,7 @@ class BadFilesTest(unittest.TestCase):
 
     def check_refusal(self, run, file):
         self.assertEqual(run.status, 1, run.stdout + run.stderr)
-        self.assertRegex(run.stderr, r"\AFlatBlockView: [^\x00-\x1f\x7f]*\n\Z")
+        self.assertRegex(run.stderr, r"\AFlatBlockView: [^\x00-\x1f\x7f-\x9f\ufffd]*\n\Z")
         self.assertIn("'" + file + "'", run.stderr)
         self.assertNotRegex(run.stderr, r"0x[0-9a-f]{6}")
         self.assertLess(run.mib, MOST_MIB)

@@ -82,22 +82,6 @@ bool HasNumbers(vtkXMLDataElement* array, int& type)
          vtkDataArray::GetDataTypeSize(type) >= 1;
 }
 
-// Of texts there may be arrays beside those that can be drawn.
-bool IsBeside(vtkXMLDataElement* array, vtkXMLDataElement* data)
-{
-  const char* name = array->GetAttribute("Name");
-  const char* scalars = data->GetAttribute("Scalars");
-  const char* type = array->GetAttribute("type");
-  const bool isText = type && (std::strcmp(type, "String") == 0 || std::strcmp(type, "Bit") == 0);
-  int found = 0;
-  bool hasOthers = false;
-  for (int i = 0; i < data->GetNumberOfNestedElements(); ++i)
-  {
-    hasOthers = hasOthers || HasNumbers(data->GetNestedElement(i), found);
-  }
-  return isText && hasOthers && !(name && scalars && std::strcmp(name, scalars) == 0);
-}
-
 std::string CheckArray(vtkXMLDataElement* array, double samples, const AppendedData& appended)
 {
   const char* name = array->GetAttribute("Name");
@@ -129,21 +113,9 @@ std::string CheckArray(vtkXMLDataElement* array, double samples, const AppendedD
   return {};
 }
 
-// As parallel writers leave them where a process has none of the image.
-bool IsEmpty(vtkXMLDataElement* piece)
-{
-  int numbers[6];
-  return piece->GetVectorAttribute("Extent", 6, numbers) == 6 && numbers[1] == numbers[0] - 1 &&
-         numbers[3] == numbers[2] - 1 && numbers[5] == numbers[4] - 1;
-}
-
 std::string CheckPiece(vtkXMLDataElement* piece, const AppendedData& appended, double& cells)
 {
   Extent extent;
-  if (IsEmpty(piece))
-  {
-    return {};
-  }
   if (!ReadExtent(piece, "Extent", extent))
   {
     return "the Extent of a Piece is none.";
@@ -154,11 +126,55 @@ std::string CheckPiece(vtkXMLDataElement* piece, const AppendedData& appended, d
   for (int i = 0; problem.empty() && data && i < data->GetNumberOfNestedElements(); ++i)
   {
     vtkXMLDataElement* array = data->GetNestedElement(i);
-    problem = IsBeside(array, data) ? "" : CheckArray(array, CountSamples(extent), appended);
+    problem = CheckArray(array, CountSamples(extent), appended);
   }
   return problem;
 }
+
+bool IsOfNoNumbers(vtkXMLDataElement* array)
+{
+  const char* type = array->GetAttribute("type");
+  return type && (std::strcmp(type, "String") == 0 || std::strcmp(type, "Bit") == 0);
+}
+
+// As parallel writers leave pieces where a process has none of the image.
+bool IsEmptyPiece(vtkXMLDataElement* element)
+{
+  int e[6];
+  return std::strcmp(element->GetName(), "Piece") == 0 &&
+         element->GetVectorAttribute("Extent", 6, e) == 6 && e[1] < e[0] && e[3] < e[2] &&
+         e[5] < e[4];
+}
+
+template <typename Condition>
+void Remove(vtkXMLDataElement* from, const Condition& condition)
+{
+  for (int i = from->GetNumberOfNestedElements() - 1; i >= 0; --i)
+  {
+    if (condition(from->GetNestedElement(i)))
+    {
+      from->RemoveNestedElement(from->GetNestedElement(i));
+    }
+  }
+}
 } // namespace
+
+void KeepNumbers(vtkXMLDataElement* image)
+{
+  Remove(image, [](vtkXMLDataElement* element)
+    { return IsEmptyPiece(element) || std::strcmp(element->GetName(), "FieldData") == 0; });
+  for (int i = 0; i < image->GetNumberOfNestedElements(); ++i)
+  {
+    vtkXMLDataElement* piece = image->GetNestedElement(i);
+    for (const char* name : { "PointData", "CellData" })
+    {
+      if (vtkXMLDataElement* data = piece->FindNestedElementWithName(name))
+      {
+        Remove(data, IsOfNoNumbers);
+      }
+    }
+  }
+}
 
 std::string CheckXMLImage(vtkXMLDataElement* image, const AppendedData& appended)
 {

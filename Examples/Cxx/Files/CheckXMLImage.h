@@ -16,6 +16,10 @@ struct AppendedData
   bool IsPlain = false;        ///< neither compressed nor as text
 };
 
+/// Removes what no picture needs, but what can make VTK's reader crash, refuse the file or take
+/// much memory: arrays of texts or bits, fields, and pieces without samples.
+void KeepNumbers(vtkXMLDataElement* image);
+
 /// @param image  the element ImageData of a file of VTK's XML
 /// @return "", or what is wrong with it
 std::string CheckXMLImage(vtkXMLDataElement* image, const AppendedData& appended);

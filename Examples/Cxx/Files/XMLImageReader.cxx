@@ -60,6 +60,7 @@ void XMLImageReader::CreateXMLParser()
 
 int XMLImageReader::ReadPrimaryElement(vtkXMLDataElement* image)
 {
+  KeepNumbers(image);
   const std::string problem = CheckXMLImage(
     image, static_cast<UndeferredParser*>(this->XMLParser)->GetAppended(this->FileName));
   if (!problem.empty())

@@ -42,11 +42,13 @@ def good_files():
         short = dict(make())[name + "_one_byte_short" + ending]
         yield "good" + ending, short + {"vti": b">"}.get(name, SAMPLES[-1:])
     short_vti = dict(vti())["vti_one_byte_short.vti"]
-    texts = (b'<Array type="String" Name="t" format="ascii" NumberOfTuples="120">' + b"97 0 " * 120 +
+    texts = (b'<Array type="String" Name="t" format="ascii" NumberOfTuples="120">' + b"97 0 " * 2000 +
         b"</Array>")
     end = short_vti.index(b"</ImageData>")
-    yield "good_empty_piece.vti", (short_vti[:end] +
-        b'<Piece Extent="0 -1 0 -1 0 -1"><PointData/></Piece>' + short_vti[end:] + b">")
+    begin = short_vti.index(b"<Piece")
+    for place in (begin, end):
+        yield "good_empty_piece_at_%d.vti" % place, (short_vti[:place] +
+            b'<Piece Extent="0 -1 0 -1 0 -1"><PointData/></Piece>' + short_vti[place:] + b">")
     array = short_vti.index(b"<DataArray")
     yield "good_texts_beside.vti", short_vti[:array] + texts + short_vti[array:] + b">"
     yield "good_4x5x6_uint8.raw", SAMPLES

@@ -15,6 +15,8 @@ def nrrd():
         ("spacing_nan", "spacing", b"spacings: 1 nan 1\n"),
         ("spacing_inf", "spacing", b"spacings: 1 inf 1\n"),
         ("type_unknown", "type", b"type: nothing\n"), ("type_block", "type", b"type: block\n"),
+        ("type_of_controls", "type", b"type: \x1b[2J\x07\x9b2J\xc2\x9b2J\xff\n"),
+        ("type_long", "type", b"type: " + 9000 * b"\xc3\xa9" + b"\n"),
         ("type_none", "type", b""), ("sizes_none", "sizes", b""), ("encoding_none", "encoding", b""),
         ("encoding_unknown", "encoding", b"encoding: nothing\n"),
         ("axes_2", "axes", b"dimension: 2\n"), ("axes_16", "axes", b"dimension: 16\n"),
