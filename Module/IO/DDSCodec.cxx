@@ -101,62 +101,75 @@ int PredictByte(std::uint64_t i, std::uint64_t strip, const Former& former)
   return strip == 1 || i <= strip ? before : before + former(strip) - former(strip + 1);
 }
 
+// What a stream begins with, and its runs.
+class RunReader
+{
+public:
+  RunReader(const std::uint8_t* bytes, std::size_t count) : Bits(bytes, count, WholeMagic.size())
+  {
+    this->Skip = static_cast<std::uint64_t>(this->Bits.Read(2)) + 1;
+    this->Strip = static_cast<std::uint64_t>(this->Bits.Read(16)) + 1;
+  }
+
+  std::uint64_t GetSkip() const { return this->Skip; }
+  std::uint64_t GetStrip() const { return this->Strip; }
+
+  // Whether there is another one, whose differences are to be read or passed over next.
+  bool Next()
+  {
+    this->Count = this->Bits.Read(CountBits);
+    this->Width = this->Count > 0 ? WidthOf(this->Bits.Read(WidthBits)) : 0;
+    return this->Count > 0;
+  }
+  int GetCount() const { return this->Count; }
+  int ReadDifference() { return this->Bits.Read(this->Width) - (1 << this->Width) / 2; }
+  void PassOver() { this->Bits.Skip(this->Count * this->Width); }
+
+private:
+  BitReader Bits;
+  std::uint64_t Skip = 1;
+  std::uint64_t Strip = 1;
+  int Count = 0; // bytes
+  int Width = 0; // bits of each
+};
+
 // The bytes of a stream, as they are sorted there. Knows no more of them than the next one needs.
 class ByteReader
 {
 public:
-  ByteReader(const std::uint8_t* bytes, std::size_t count) : Bits(bytes, count, WholeMagic.size())
+  ByteReader(const std::uint8_t* bytes, std::size_t count) : Runs(bytes, count)
   {
-    this->Skip = static_cast<std::size_t>(this->Bits.Read(2)) + 1;
-    this->Strip = static_cast<std::size_t>(this->Bits.Read(16)) + 1;
-  }
-
-  std::size_t GetSkip() const { return this->Skip; }
-
-  // All that are left.
-  std::uint64_t Count()
-  {
-    std::uint64_t count = 0;
-    while (this->BeginRun())
+    std::size_t window = 4;
+    while (window < this->Runs.GetStrip() + 2)
     {
-      count += this->Run;
-      this->Bits.Skip(this->Run * this->Width);
+      window *= 2;
     }
-    return count;
+    this->Former.resize(window);
   }
+
+  std::uint64_t GetSkip() const { return this->Runs.GetSkip(); }
 
   // The next one; to be asked no more often than there are bytes.
   std::uint8_t Read()
   {
-    if (this->Run == 0)
+    if (this->Left == 0 && this->Runs.Next())
     {
-      this->BeginRun();
+      this->Left = this->Runs.GetCount();
     }
-    --this->Run;
-    const int difference = this->Bits.Read(this->Width) - (1 << this->Width) / 2;
-    const int predicted = PredictByte(this->Next, this->Strip,
-      [this](std::uint64_t back) { return this->Former[(this->Next - back) % Window]; });
-    const auto byte = static_cast<std::uint8_t>(predicted + difference);
-    this->Former[this->Next++ % Window] = byte;
+    --this->Left;
+    const std::uint64_t mask = this->Former.size() - 1;
+    const int predicted = PredictByte(this->Next, this->Runs.GetStrip(),
+      [this, mask](std::uint64_t back) { return this->Former[(this->Next - back) & mask]; });
+    const auto byte = static_cast<std::uint8_t>(predicted + this->Runs.ReadDifference());
+    this->Former[this->Next++ & mask] = byte;
     return byte;
   }
 
 private:
-  bool BeginRun()
-  {
-    this->Run = this->Bits.Read(CountBits);
-    this->Width = this->Run > 0 ? WidthOf(this->Bits.Read(WidthBits)) : 0;
-    return this->Run > 0;
-  }
-
-  BitReader Bits;
-  static constexpr std::size_t Window = std::size_t(1) << 17; // more than the longest strip
-  std::vector<std::uint8_t> Former = std::vector<std::uint8_t>(Window);
-  std::size_t Skip = 1;
-  std::size_t Strip = 1;
+  RunReader Runs;
+  std::vector<std::uint8_t> Former;
   std::uint64_t Next = 0; // byte
-  int Run = 0;            // bytes left of it
-  int Width = 0;
+  int Left = 0;           // of the run
 };
 
 // Bytes that are sorted together.
@@ -202,7 +215,14 @@ bool IsDDS(const std::uint8_t* bytes, std::size_t count)
 
 std::uint64_t CountDDS(const std::uint8_t* bytes, std::size_t count)
 {
-  return ByteReader(bytes, count).Count();
+  RunReader runs(bytes, count);
+  std::uint64_t total = 0;
+  while (runs.Next())
+  {
+    total += runs.GetCount();
+    runs.PassOver();
+  }
+  return total;
 }
 
 std::vector<std::uint8_t> DecodeDDS(const std::uint8_t* bytes, std::size_t count, std::size_t most)
