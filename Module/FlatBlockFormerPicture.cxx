@@ -57,12 +57,4 @@ void ShowFormerPicture(vtkRenderer* renderer, bool hasPicture)
   window->BlitDisplayFramebuffer(0, origin[0], origin[1], size[0], size[1], origin[0], origin[1],
     size[0], size[1], GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
-
-void MakeCurrent(vtkRenderWindow* window)
-{
-  if (!window->IsCurrent())
-  {
-    window->MakeCurrent();
-  }
-}
 } // namespace flatblock

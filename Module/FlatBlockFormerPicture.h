@@ -36,7 +36,4 @@ private:
 ///
 /// @param hasPicture  that the window, of its present size, has shown
 void ShowFormerPicture(vtkRenderer* renderer, bool hasPicture);
-
-/// For after events, whose observers may have drawn other windows.
-void MakeCurrent(vtkRenderWindow* window);
 } // namespace flatblock

@@ -84,6 +84,15 @@ struct MaskChannel
   std::vector<std::unique_ptr<Label>> Labels;
 };
 
+/// For after events, whose observers may have drawn other windows.
+inline void MakeCurrent(vtkRenderWindow* window)
+{
+  if (!window->IsCurrent())
+  {
+    window->MakeCurrent();
+  }
+}
+
 /// Sets a flag until it goes out of scope.
 class FlagScope
 {

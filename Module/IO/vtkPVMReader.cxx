@@ -26,6 +26,7 @@ struct Header
 {
   flatblock::PVMFormat Format;
   bool IsCompressed = false;
+  std::vector<std::uint8_t> Stream; // the file, where it is compressed
 };
 
 // Of a stream that is not decoded yet.
@@ -43,7 +44,8 @@ Header ReadHeader(const std::string& file)
 {
   Header header;
   const std::uintmax_t size = flatblock::GetFileSize(file);
-  std::vector<std::uint8_t> bytes = flatblock::ReadBytes(file, 0, flatblock::MostPVMHeaderBytes);
+  const std::vector<std::uint8_t> bytes =
+    flatblock::ReadBytes(file, 0, flatblock::MostPVMHeaderBytes);
   header.IsCompressed = flatblock::IsDDS(bytes.data(), bytes.size());
   if (!header.IsCompressed)
   {
@@ -52,11 +54,11 @@ Header ReadHeader(const std::string& file)
     flatblock::CheckPVMSize(header.Format, size, flatblock::ReadBytes(file, end, MostRest));
     return header;
   }
-  bytes = flatblock::ReadBytes(file, 0, std::numeric_limits<std::uintmax_t>::max());
+  header.Stream = flatblock::ReadBytes(file, 0, std::numeric_limits<std::uintmax_t>::max());
   const std::vector<std::uint8_t> decoded =
-    flatblock::DecodeDDS(bytes.data(), bytes.size(), flatblock::MostPVMHeaderBytes);
+    flatblock::DecodeDDS(header.Stream.data(), header.Stream.size(), flatblock::MostPVMHeaderBytes);
   header.Format = flatblock::ParsePVM(decoded.data(), decoded.size());
-  CheckStream(header.Format, bytes);
+  CheckStream(header.Format, header.Stream);
   return header;
 }
 
@@ -173,13 +175,12 @@ void vtkPVMReader::ExecuteDataWithInformation(vtkDataObject* output, vtkInformat
 
 void vtkPVMReader::Decode(vtkDataObject* output, vtkInformation* info)
 {
-  const std::vector<std::uint8_t> stream =
-    flatblock::ReadBytes(this->GetFileName(), 0, std::numeric_limits<std::uintmax_t>::max());
+  const Header header = ReadHeader(this->GetFileName());
+  const flatblock::PVMFormat& format = header.Format;
   this->UpdateProgress(0.1);
-  const flatblock::PVMFormat format = ReadHeader(this->GetFileName()).Format;
   const auto end = static_cast<std::size_t>(format.Offset + flatblock::CountBytes(format));
   const std::vector<std::uint8_t> decoded =
-    flatblock::DecodeDDS(stream.data(), stream.size(), end + MostRest);
+    flatblock::DecodeDDS(header.Stream.data(), header.Stream.size(), end + MostRest);
   const auto samplesEnd =
     decoded.begin() + static_cast<std::ptrdiff_t>(std::min(end, decoded.size()));
   flatblock::CheckPVMSize(format, decoded.size(), { samplesEnd, decoded.end() });

@@ -121,6 +121,15 @@ protected:
     }
   }
 
+  // The same mapper in another window.
+  void ShowIn(Scene& other)
+  {
+    vtkNew<vtkVolume> same;
+    same->SetMapper(this->Current.Mapper);
+    same->SetProperty(this->Current.Property);
+    other.Renderer->AddVolume(same);
+  }
+
   Scene Current;
 };
 
@@ -221,11 +230,8 @@ TEST_P(Interruption, EachWindowKeepsItsPicture)
   const auto before = this->Current.Draw();
   Scene other;
   Prepare(other, MakeWaves());
-  vtkNew<vtkVolume> same;
-  same->SetMapper(this->Current.Mapper);
-  same->SetProperty(this->Current.Property);
   other.Renderer->RemoveAllViewProps();
-  other.Renderer->AddVolume(same);
+  this->ShowIn(other);
   other.Draw();
   this->Current.Mapper->SetMaxMemoryInBytes(vtkTypeInt64(8) << 20);
   this->Current.Mapper->SetSelectionCriterionToDistortion();
@@ -268,10 +274,7 @@ TEST_P(Interruption, ObserversMayDrawOtherWindows)
   {
     Scene other;
     Prepare(other, MakeWaves());
-    vtkNew<vtkVolume> same;
-    same->SetMapper(this->Current.Mapper);
-    same->SetProperty(this->Current.Property);
-    other.Renderer->AddVolume(same);
+    this->ShowIn(other);
     Stopper stopper;
     this->Listen(stopper);
     stopper.Wish = [&] { other.Window->Render(); };

@@ -75,20 +75,13 @@ double ReadBlockSize(const AppendedData& appended, std::uintmax_t position)
   return static_cast<double>(size) <= rest ? static_cast<double>(size) : -1.0;
 }
 
-bool HasNumbers(vtkXMLDataElement* array, int& type)
-{
-  const char* name = array->GetAttribute("type");
-  return name && std::strcmp(name, "String") != 0 && array->GetWordTypeAttribute("type", type) &&
-         vtkDataArray::GetDataTypeSize(type) >= 1;
-}
-
 std::string CheckArray(vtkXMLDataElement* array, double samples, const AppendedData& appended)
 {
   const char* name = array->GetAttribute("Name");
   const std::string of = std::string(" of array '") + (name ? name : "") + "'";
   int type = 0;
   int components = 1;
-  if (!HasNumbers(array, type))
+  if (!array->GetWordTypeAttribute("type", type) || vtkDataArray::GetDataTypeSize(type) < 1)
   {
     return "the type" + of + " is none of numbers.";
   }
@@ -121,12 +114,15 @@ std::string CheckPiece(vtkXMLDataElement* piece, const AppendedData& appended, d
     return "the Extent of a Piece is none.";
   }
   cells += CountCells(extent);
-  vtkXMLDataElement* data = piece->FindNestedElementWithName("PointData");
   std::string problem;
-  for (int i = 0; problem.empty() && data && i < data->GetNumberOfNestedElements(); ++i)
+  for (int i = 0; problem.empty() && i < piece->GetNumberOfNestedElements(); ++i)
   {
-    vtkXMLDataElement* array = data->GetNestedElement(i);
-    problem = CheckArray(array, CountSamples(extent), appended);
+    vtkXMLDataElement* data = piece->GetNestedElement(i);
+    const bool isOfPoints = std::strcmp(data->GetName(), "PointData") == 0;
+    for (int j = 0; problem.empty() && isOfPoints && j < data->GetNumberOfNestedElements(); ++j)
+    {
+      problem = CheckArray(data->GetNestedElement(j), CountSamples(extent), appended);
+    }
   }
   return problem;
 }
@@ -166,12 +162,9 @@ void KeepNumbers(vtkXMLDataElement* image)
   for (int i = 0; i < image->GetNumberOfNestedElements(); ++i)
   {
     vtkXMLDataElement* piece = image->GetNestedElement(i);
-    for (const char* name : { "PointData", "CellData" })
+    for (int j = 0; j < piece->GetNumberOfNestedElements(); ++j)
     {
-      if (vtkXMLDataElement* data = piece->FindNestedElementWithName(name))
-      {
-        Remove(data, IsOfNoNumbers);
-      }
+      Remove(piece->GetNestedElement(j), IsOfNoNumbers); // of points or of cells
     }
   }
 }

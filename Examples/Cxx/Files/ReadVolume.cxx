@@ -204,15 +204,14 @@ double GetSeconds(const FileSizes& sizes, double bytes)
 // go through all samples, before its header is known and once more.
 struct Decoding
 {
-  explicit Decoding(const std::string& file)
+  Decoding(const std::string& file, const FileSizes& sizes)
   {
     constexpr double MostTimes = 102.0;
     constexpr double BytesPerSecond = 16e6;
     if (GetEnding(file) == ".pvm")
     {
-      const std::uintmax_t bytes = MeasureFiles(file).Bytes;
-      this->Bytes = 2 * bytes;
-      this->Seconds = MostTimes * static_cast<double>(bytes) / BytesPerSecond;
+      this->Bytes = 2 * sizes.Bytes;
+      this->Seconds = MostTimes * static_cast<double>(sizes.Bytes) / BytesPerSecond;
     }
   }
   std::uintmax_t Bytes = 0;
@@ -230,7 +229,7 @@ double GetSecondsToCount(const FileSizes& sizes)
 vtkSmartPointer<vtkAlgorithm> Open(const Options& options, double& bytes)
 {
   const FileSizes sizes = MeasureFiles(options.File);
-  const Decoding decoding(options.File);
+  const Decoding decoding(options.File, sizes);
   const ReaderGuard guard(
     GetSeconds(sizes, 0.0) + GetSecondsToCount(sizes) + decoding.Seconds, decoding.Bytes);
   const Listening listening(options.File);
@@ -246,7 +245,7 @@ void Read(vtkAlgorithm* reader, const std::string& file, double bytes)
 {
   constexpr double Copies = 3.0; // that readers hold at the same time
   const FileSizes sizes = MeasureFiles(file);
-  const Decoding decoding(file);
+  const Decoding decoding(file, sizes);
   const double most = Copies * bytes;
   const ReaderGuard guard(
     GetSeconds(sizes, most) + decoding.Seconds, static_cast<std::uintmax_t>(most) + decoding.Bytes);

@@ -105,6 +105,8 @@ def vti():
         ("array_of_doubles", "array", lines[4][1].replace(b"UInt8", b"Float64")),
         ("array_of_many", "array", lines[4][1].replace(
             b'Name="s"', b'Name="s" NumberOfComponents="100000000"')),
+        ("array_of_doubles_in_a_second_set", "end", b'</PointData><PointData Scalars="s">' +
+            lines[4][1].replace(b"UInt8", b"Float64") + lines[5][1]),
         ("offset_huge", "array", lines[4][1].replace(b'"0"', b'"%d"' % HUGE)),
         ("offset_negative", "array", lines[4][1].replace(b'"0"', b'"-9"')),
         ("root_other", "root", start.replace(b'"ImageData"', b'"PolyData"')),
