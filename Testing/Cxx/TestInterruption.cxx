@@ -207,6 +207,8 @@ TEST_P(Interruption, ForgetsPicturesOfOtherSizes)
   Prepare(this->Current, MakeWaves());
   this->Current.Renderer->SetBackground(0.2, 0.4, 0.6);
   this->Current.Draw();
+  this->Current.Mapper->SetMaxMemoryInBytes(vtkTypeInt64(8) << 20);
+  this->Current.Mapper->SetSelectionCriterionToDistortion();
   const int* former = this->Current.Window->GetSize();
   const int size[2] = { former[0], former[1] };
   Stopper stopper;
